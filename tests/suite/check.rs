@@ -1,6 +1,8 @@
 //! Findings of `check`: mistakes are reported, unusual scenes are not.
 
-use asperity::{At, Body, Check, Finding, HeightDistribution, Interface, Scene, Severity, Surface};
+use asperity::{
+    At, Body, Check, Finding, HeightDistribution, Interface, Plausible, Scene, Severity, Surface,
+};
 
 use crate::scenes::{model, named};
 
@@ -120,7 +122,7 @@ fn good_scenes_have_no_findings() {
         let atomic =
             ["gold microswitch", "indium seal"].contains(&name) && found[0].code == "atomic";
         assert!(found.is_empty() || atomic && found.len() == 1, "{name}: {:?}", messages(&found));
-        scene.check().unwrap();
+        Check::of(&scene).unwrap();
     }
     for name in ["at-paper", "mild", "severe"] {
         assert!(named(name).findings().is_empty(), "{name}");
@@ -209,7 +211,7 @@ fn mistakes_of_users_are_reported_with_the_unit() {
 #[test]
 fn derived_numbers_equal_their_formulas() {
     let scene = named("at-paper");
-    let check = scene.check().unwrap();
+    let check = Check::of(&scene).unwrap();
     let number = |name| check.number(name).unwrap();
     let surface = scene.surface;
     let beta = surface.asperity_density * surface.asperity_radius * surface.asperity_height_std;
@@ -308,5 +310,48 @@ fn separations_on_exponential_heights_are_from_the_lowest_asperity() {
         let check = Check::at(&model("ke"), &scene, At::Load(1.0)).unwrap();
         let of = check.numbers.iter().find(|number| number.name == "separation").unwrap();
         assert!(of.meaning.ends_with(plane), "{}", of.meaning);
+    }
+}
+
+#[test]
+fn a_work_of_adhesion_in_another_unit_is_named_and_tabors_parameter_is_derived() {
+    // E = 1e9 Pa, R = 1e-4 m, σ_z = 1e-7 m.
+    let check = |work: f64| {
+        let mut interface = Interface::elastic(1e9, 0.3);
+        interface.work_of_adhesion = Some(work);
+        Check::of(&Scene::new(interface, Surface::new(1e-4, 1e9, 1e-7), 1e-5)).unwrap()
+    };
+    let of_work = |check: &Check| -> Vec<Finding> {
+        check.findings.iter().filter(|f| f.field == "work_of_adhesion").cloned().collect()
+    };
+    let found = of_work(&check(50.0));
+    let [finding] = &found[..] else { panic!("{found:?}") };
+    assert_eq!((finding.code, finding.severity), ("unusual-size", Severity::Warning));
+    let unit = finding.likely_unit.as_deref();
+    assert_eq!(unit, Some("50 looks like mJ/m2; 50 mJ/m2 is 0.05 J/m2"));
+    let usual = check(0.05);
+    assert!(of_work(&usual).is_empty(), "{:?}", usual.findings);
+    // (1e-4 · 0.0025/(1e18 · 2.7e-29))^(1/3), and 1e9 · 1e-10.5/(0.05 · 0.01).
+    let number = |name| usual.number(name).unwrap();
+    assert!((number("tabor_parameter") / 9_259.259_259_259_26f64.cbrt() - 1.0).abs() < 1e-12);
+    assert!((number("adhesion_parameter") / 63.245_553_203_367_6 - 1.0).abs() < 1e-12);
+    let none = check(0.0);
+    assert_eq!(
+        (none.number("tabor_parameter"), none.number("adhesion_parameter")),
+        (Some(0.0), None)
+    );
+}
+
+#[test]
+fn a_known_defect_is_found_where_it_matters() {
+    // ψ = 2: w about 4 w_c. ψ = 0.5: all elastic. ψ = 12: w about 100 w_c.
+    for (index, expected) in [(2.0, true), (0.5, false), (12.0, false)] {
+        let interface = Interface::new(116e9, 0.31, 1.12e9);
+        let surface = Surface::from_plasticity_index(index, 0.04, 1e-6, &interface).unwrap();
+        let scene = Scene::new(interface, surface, 3e-5);
+        let check = Check::at(&model("etsion"), &scene, At::Pressure(2e6)).unwrap();
+        let found = check.findings.iter().find(|finding| finding.code == "fit-misses");
+        let severity = found.map(|found| found.severity);
+        assert_eq!(severity, expected.then_some(Severity::Warning), "{index}: {found:?}");
     }
 }

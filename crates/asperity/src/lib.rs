@@ -1,11 +1,6 @@
 #![doc = include_str!("../README.md")]
 
 #[cfg(feature = "evidence")]
-mod corrected;
-mod evidence;
-#[cfg(feature = "evidence")]
-mod ranking;
-#[cfg(feature = "evidence")]
 mod recommend;
 mod registry;
 
@@ -33,23 +28,12 @@ pub use asperity_ghaednia::Ghaednia;
 pub use asperity_gw::{GreenwoodWilliamson, greenwood_integral};
 pub use asperity_jg::{GeometricHardness, JacksonGreen};
 pub use asperity_joints as joints;
+pub use asperity_judge::*;
 pub use asperity_ke::KogutEtsion;
 pub use asperity_pairs::AsperityPairs;
 pub use asperity_persson::{Persson, PerssonVariance, Spectrum};
 pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
 #[cfg(feature = "evidence")]
-pub use corrected::{Corrected, CorrectedRow, CorrectedSeparation, CorrectedValue};
-pub use evidence::{Compared, Evidence, EvidenceCase, EvidenceRow};
-#[cfg(feature = "evidence")]
-pub use evidence::{
-    Estimate, ExpectedContact, Ratio, SurfaceShape, compile_compared, compile_known,
-};
-#[cfg(feature = "evidence")]
-pub use ranking::nearest_in_each;
-#[cfg(feature = "evidence")]
-pub use recommend::{
-    Comparison, EvidenceAt, Expectation, Recommendation, recommend, recommend_among,
-    usual_reference,
-};
+pub use recommend::{Comparison, Recommendation, recommend};
 pub use registry::{Asperities, Model};

@@ -15,7 +15,7 @@ enum Study {
     /// Measure times and errors: figures/speed-vs-error.*, figures/hard-cases.csv
     Report,
     /// Compare every model with boundary elements on random surfaces, in an hour; solved cases are
-    /// kept in target/truth: crates/asperity/data/truth.csv, figures/truth*.md
+    /// kept in target/truth: crates/answer/judge/data/truth.csv, figures/truth*.md
     Truth {
         /// Evaluate the models anew beside what is kept and committed, and solve nothing
         #[arg(long)]

@@ -4,7 +4,7 @@
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     At, Check, Contact, ContactError, ContactModel, Finding, Findings, HARDNESS_OVER_YIELD,
-    HeightDistribution, ProfileMoments, short,
+    HeightDistribution, Plausible, ProfileMoments, plain_findings, short,
 };
 use asperity_topography::Statistics;
 
@@ -116,7 +116,7 @@ impl SceneFile {
             None => format!("`{name}`"),
         });
         let given: Vec<String> = given.collect();
-        let found = self.scene.surface.plain_findings().into_iter().next()?;
+        let found = plain_findings(&self.scene.surface).into_iter().next()?;
         let found = found.from_origin(format!("asperities from {}", given.join(", ")));
         Some(found.advice("check these numbers and their units"))
     }
@@ -157,7 +157,7 @@ impl SceneFile {
         }
         let mut check = match place {
             Some((model, at)) => Check::at(model, &self.scene, at)?,
-            None => self.scene.check()?,
+            None => Check::of(&self.scene)?,
         };
         let (theirs, of_scene) = (self.scene.findings(), self.findings());
         // Findings about an answer may be consequences of an implausible input.

@@ -220,7 +220,7 @@ mod tests {
         for Material { id, body, source, .. } in materials() {
             assert!(!source.is_empty(), "{id}");
             Interface::against_rigid(body).unwrap();
-            let found = body.findings();
+            let found = asperity::Plausible::findings(body);
             assert!(!found.are_implausible(), "{id}: {found:?}");
             let yields = body.hardness.or(body.yield_strength).is_some();
             assert!(yields || id == "rubber", "{id}");

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Asperity, Body, ContactError, Interface, ProfileMoments, Surface};
+use asperity::{Asperity, Body, ContactError, Interface, Plausible, ProfileMoments, Surface};
 use asperity_inputs::{BODY, Field, INTERFACE, Key, Roughness, SURFACE, Way};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;

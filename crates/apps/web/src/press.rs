@@ -81,7 +81,7 @@ pub(crate) fn press(
     }
     let elements = bem.elements(&file.scene.interface)?;
     let mut quantities = quantities(file);
-    let is_leak = |quantity: &Quantity| leaks && quantity.only_of() == Some(Bem::ID);
+    let is_leak = |quantity: &Quantity| leaks && quantity.is_of_map();
     quantities.extend(Quantity::ALL.into_iter().filter(is_leak));
     let given: Vec<LoadCase> = pressures.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
     let happened = RefCell::new(happened);

@@ -1,4 +1,6 @@
-//! Tests of what is not computed here: the README's examples.
+//! The README's examples, and models of the registry beside the evidence.
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test: a panic is the failure")]
 
+mod corrected;
 mod examples;
+mod recommend;

@@ -294,9 +294,6 @@ pub(crate) fn require(
 }
 
 /// The error of an integral for `quantity` at `at`.
-pub(crate) fn integral_failed(
-    quantity: Quantity,
-    at: &At,
-) -> impl Fn(QuadratureError) -> ContactError {
+pub fn integral_failed(quantity: Quantity, at: &At) -> impl Fn(QuadratureError) -> ContactError {
     move |source| ContactError::Integral { quantity, at: *at, source }
 }

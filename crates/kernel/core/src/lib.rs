@@ -12,18 +12,15 @@
 //! scene + request → model.force(asperity) → compiled → response
 //! ```
 //!
-//! This crate contains no model; messages recommend some by their ids. All units are SI;
+//! This crate contains no model. All units are SI;
 //! plain separations are multiples of σ_z.
 
-mod check;
 mod engine;
 mod error;
 mod finding;
 mod heights;
 mod law;
 mod model;
-#[doc(hidden)]
-pub mod recommended;
 mod request;
 mod response;
 mod scene;
@@ -33,9 +30,6 @@ mod units;
 #[doc(hidden)]
 pub use asperity_quadrature::{Density, Moments, Piece};
 pub use asperity_quadrature::{QuadratureError, Sampler};
-#[doc(hidden)]
-pub use check::likely_unit;
-pub use check::{ATOMIC_DISTANCE, Check, DerivedNumber};
 pub use engine::arrays::FillReport;
 pub use engine::case::Case;
 #[doc(hidden)]
@@ -44,7 +38,7 @@ pub use engine::plan::{Method, Plan, PlannedPart, Step};
 pub use engine::sweep::Sweep;
 pub use error::ContactError;
 #[doc(hidden)]
-pub use error::positive;
+pub use error::{integral_failed, positive};
 pub use finding::{AsWritten, Code, Dialect, Finding, Findings, Severity, short};
 #[cfg(feature = "statrs")]
 pub use heights::statrs::StandardisedHeights;
@@ -65,13 +59,13 @@ pub use request::{Request, linspace};
 pub use response::evaluation::{Evaluation, Share};
 pub use response::row_check::RowCheck;
 pub use response::{Column, Response};
-pub use scene::Scene;
 pub use scene::asperity::Asperity;
 pub use scene::body::{Body, HARDNESS_OVER_YIELD};
 pub use scene::hardness::{hardness_of_vickers, vickers_of_brinell, vickers_of_rockwell_c};
 pub use scene::interface::Interface;
 pub use scene::pair::{Pair, RoughSurface};
 pub use scene::surface::{ProfileMoments, Surface};
+pub use scene::{ATOMIC_DISTANCE, Scene};
 pub use text::{nearest_hint, nearest_name, shortest_digits};
 #[doc(hidden)]
 pub use units::{OTHER_UNITS, UNITS, Units, plain_unit, units_of};

@@ -73,7 +73,7 @@ impl AsperityModel for EtsionKligermanKadin {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity_core::{At, Check, Interface, Scene, Severity, Surface};
+    use asperity_core::{Interface, Scene, Surface};
 
     /// x, F/F_c and A/A_c of finite elements, and the deviations in per cent that the README
     /// states.
@@ -104,21 +104,6 @@ mod tests {
                 let found = law.value(x * law.interference_unit).unwrap() / law.value_unit;
                 let off = 100.0 * (found / element - 1.0);
                 assert!((off - stated).abs() < 0.051, "x = {x}: {off} %, stated {stated} %");
-            }
-        }
-    }
-
-    #[test]
-    fn a_check_warns_where_the_deviation_matters() {
-        // ψ = 2: w about 4 w_c. ψ = 0.5: all elastic. ψ = 12: w about 100 w_c.
-        for (index, expected) in [(2.0, true), (0.5, false), (12.0, false)] {
-            let check = Check::at(&EtsionKligermanKadin, &scene(index), At::Pressure(2e6)).unwrap();
-            let found = check.findings.iter().find(|finding| finding.code == "fit-misses");
-            assert_eq!(found.is_some(), expected, "{index}: {found:?}");
-            if let Some(found) = found {
-                assert_eq!(found.severity, Severity::Warning);
-                let text = "etsion underestimates the force by 9 to 17 % there";
-                assert!(found.message().contains(text), "{found}");
             }
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Random surfaces (`asperity::bem::RandomSurface`, seeds 1, 2, ...) are solved elastically and
 //! with several hardnesses, and kept under target/truth. The results are in
-//! `crates/asperity/data/truth.csv`, which `asperity::Evidence` reads; figures and tables follow
+//! `crates/answer/judge/data/truth.csv`, which `asperity::Evidence` reads; figures and tables follow
 //! from that text alone.
 
 mod family;
@@ -29,7 +29,7 @@ use solve::solve;
 use xtask::folder::{figures_folder, root, save, target_folder};
 
 /// The folder of the committed evidence, in the crate that includes it.
-const DATA: &str = "crates/asperity/data";
+const DATA: &str = "crates/answer/judge/data";
 
 /// Solves the cases that are not kept, or none of them, and writes the evidence and its tables;
 /// returns the paths. The table of ordinary scenes stays as it is where one is not kept.

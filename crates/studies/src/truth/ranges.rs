@@ -13,7 +13,7 @@ const PREFACE: &str = "\
 # Models relative to boundary elements
 
 Lowest and highest deviation of each model over the solved surfaces and loads of a column, from the
-[table of solved surfaces](../crates/asperity/data/truth.csv). p is the mean pressure, E the
+[table of solved surfaces](../crates/answer/judge/data/truth.csv). p is the mean pressure, E the
 equivalent modulus, g the rms gradient, ψ the plasticity index, α the bandwidth m₀m₄/m₂², Sq the
 rms height; elastic surfaces have no hardness. The last rows state the largest standard error of
 boundary elements, and the bandwidths that were solved.

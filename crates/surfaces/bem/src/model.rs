@@ -31,7 +31,7 @@ pub struct Bem {
 
 impl Bem {
     /// The id of boundary elements in scene files and commands; they need a scan.
-    pub const ID: &str = asperity_core::recommended::BEM;
+    pub const ID: &str = "bem";
 
     /// Names and source of the method.
     pub const SOURCE: Citation = SOURCE;

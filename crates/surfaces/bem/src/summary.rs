@@ -71,8 +71,7 @@ fn hydraulic<'m>(
     quantities: &[Quantity],
     gap_map: impl FnOnce() -> Result<GapMap<'m>, BemError>,
 ) -> Vec<(Quantity, Result<f64, BemError>)> {
-    let wanted: Vec<Quantity> =
-        quantities.iter().copied().filter(|q| q.only_of() == Some(BEM)).collect();
+    let wanted: Vec<Quantity> = quantities.iter().copied().filter(|q| q.is_of_map()).collect();
     let Some(map) = (!wanted.is_empty()).then(gap_map) else { return vec![] };
     let of = |map: &GapMap<'_>, quantity| match direction(quantity) {
         Some(direction) => map.hydraulic_gap(direction),
@@ -103,7 +102,7 @@ pub(crate) fn known(quantity: Quantity) -> bool {
     quantity.follows_from_totals()
         || quantity.is_of_joint()
         || is_slope(quantity)
-        || quantity.only_of() == Some(BEM)
+        || quantity.is_of_map()
 }
 
 /// An error of boundary elements as one of the model.
@@ -163,7 +162,7 @@ impl ContactSummary {
                 let sum = stiffness * nominal / (2.0 * scene.interface.equivalent_modulus);
                 Evaluation::of_contact_radii(quantity, sum, scene, ERROR)
             }
-            _ if quantity.only_of() == Some(BEM) => {
+            _ if quantity.is_of_map() => {
                 let gap = self.gaps.iter().find(|(known, _)| *known == quantity);
                 let gap = gap.map(|(_, gap)| gap.clone().map_err(refused)).transpose()?;
                 Ok(gap.map(|gap| Evaluation::new(gap, ERROR)))

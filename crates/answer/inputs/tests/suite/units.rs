@@ -133,7 +133,8 @@ fn a_unit_that_was_given_is_never_reinterpreted() {
         assert!(findings(STEEL, area, GROUND).is_empty(), "{area}");
     }
     // Annealed copper.
-    assert!(asperity::Body::new(120e9, 0.34, 400e6).findings().is_empty());
+    let copper = asperity::Body::new(120e9, 0.34, 400e6);
+    assert!(asperity::Plausible::findings(&copper).is_empty());
 }
 
 /// A hint of this unit.

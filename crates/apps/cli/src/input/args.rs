@@ -246,7 +246,7 @@ fn quantities_help() -> String {
         "Quantities: {}; for asperities of one radius with circular contacts also {}; of {BEM} {}; of the film {}",
         names(|q| !q.needs_circles() && q.is_of_models()),
         names(Quantity::needs_circles),
-        names(|q| q.only_of() == Some(BEM)),
+        names(Quantity::is_of_map),
         names(Quantity::is_flow_factor),
     )
 }

@@ -51,7 +51,7 @@ impl AtPoint<'_> {
             Derivation::Logarithm(of) => self.logarithm(quantity, of, integrals),
             Derivation::RegimeShare(regime) => self.share(quantity, regime, integrals),
             // Refused where laws are made.
-            Derivation::Flow | Derivation::Gap | Derivation::Only(_) => {
+            Derivation::Flow | Derivation::Gap | Derivation::Map => {
                 Err(ContactError::NotRequested { quantity })
             }
         }

@@ -86,7 +86,8 @@ pub struct Finding {
     pub also: Vec<String>,
     fact: Option<Cow<'static, str>>,
     advice: Cow<'static, str>,
-    pub(crate) likely_unit: Option<String>,
+    /// A unit that explains the value, in place of the advice: "210 looks like GPa; ..".
+    pub likely_unit: Option<String>,
     implausible: bool,
 }
 
@@ -212,7 +213,7 @@ impl Finding {
 
     /// With a unit that explains the value, in place of the advice: "210 looks like GPa; ..".
     #[must_use]
-    pub(crate) fn likely_unit(self, hint: impl Into<String>) -> Self {
+    pub fn likely_unit(self, hint: impl Into<String>) -> Self {
         Self { likely_unit: Some(hint.into()), ..self }
     }
 

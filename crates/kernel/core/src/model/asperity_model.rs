@@ -70,9 +70,9 @@ pub(crate) fn law(
     let law = match quantity.derivation() {
         Derivation::Integral(law) => Some(law(model, asperity, tolerance)?),
         Derivation::IntegralOrSlope(law, _) => law(model, asperity, tolerance)?,
-        Derivation::Only(other) => {
-            let what = format!("`{quantity}`, which no law of asperities has: use `{other}`");
-            return Err(unsupported(what));
+        Derivation::Map => {
+            let what = "which follows from a map of the gap; use boundary elements";
+            return Err(unsupported(format!("`{quantity}`, {what}")));
         }
         Derivation::Flow | Derivation::Gap => {
             return Err(unsupported(format!("`{quantity}`, which follows from the film alone")));

@@ -73,7 +73,7 @@ impl Quantity {
             | Derivation::Slope(_)
             | Derivation::Flow
             | Derivation::Gap
-            | Derivation::Only(_) => self,
+            | Derivation::Map => self,
             Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
             Derivation::Ratio(above, _) => above.origin(),
             Derivation::ContactRadii(_) => Self::ContactRadiusSum,
@@ -121,20 +121,17 @@ impl Quantity {
         self.radius_factor().map(|factor| factor.field)
     }
 
-    /// The id of the only model that has this quantity, where no law of asperities has it: flows
-    /// through the map of the gap.
+    /// Whether the quantity is of flows through a map of the gap, which boundary elements have and
+    /// no law of asperities.
     #[must_use]
-    pub fn only_of(self) -> Option<&'static str> {
-        match self.derivation() {
-            Derivation::Only(id) => Some(id),
-            _ => None,
-        }
+    pub fn is_of_map(self) -> bool {
+        matches!(self.derivation(), Derivation::Map)
     }
 
     /// Whether models of contact have this quantity, and not boundary elements or a film alone.
     #[must_use]
     pub fn is_of_models(self) -> bool {
-        !self.is_of_film() && self.only_of().is_none()
+        !self.is_of_film() && !self.is_of_map()
     }
 
     /// The property of the interface that this quantity needs, for a stiffness or a conductance.

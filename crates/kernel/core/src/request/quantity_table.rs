@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use crate::law::contact_radii::{ELECTRICAL, RadiusFactor, SHEAR, THERMAL, UNLOADING};
-use crate::recommended::BEM;
 use crate::{Asperity, AsperityModel, ContactError, Law, Regime, Tolerance};
 
 /// A law of a model, or whether it has one.
@@ -32,8 +31,8 @@ pub(crate) enum Derivation {
     Flow,
     /// A conductance of the gas in the gap, which follows from the gap.
     Gap,
-    /// Of the model with this id, and of no law of asperities.
-    Only(&'static str),
+    /// Of a map of the gap, and of no law of asperities.
+    Map,
 }
 
 /// An entry of the table.
@@ -276,19 +275,19 @@ quantities! {
         name: "hydraulic-gap-x", symbol: "h_x", unit: "m", label: "hydraulic gap along x",
         definition: "Even gap that lets as much fluid pass along the rows of the scan as the gap of \
             the contact, 0 where no open path is left.",
-        derivation: Derivation::Only(BEM),
+        derivation: Derivation::Map,
     }
     HydraulicGapY {
         name: "hydraulic-gap-y", symbol: "h_y", unit: "m", label: "hydraulic gap along y",
         definition: "Even gap that lets as much fluid pass along the columns of the scan as the gap \
             of the contact, 0 where no open path is left.",
-        derivation: Derivation::Only(BEM),
+        derivation: Derivation::Map,
     }
     EffectiveMediumGap {
         name: "effective-medium-gap", symbol: "h_m", unit: "m",
         label: "hydraulic gap of the effective medium",
         definition: "Estimate of the hydraulic gap from the distribution of the gap alone \
             (Bruggeman), 0 where half of the area or more is closed.",
-        derivation: Derivation::Only(BEM),
+        derivation: Derivation::Map,
     }
 }

@@ -1,7 +1,6 @@
 //! Findings of rows, as they are answered.
 
 use crate::finding::short;
-use crate::recommended::WHOLE_SURFACE;
 use crate::{At, ContactError, Evaluation, Finding, Quantity, Scene};
 
 /// A condition number beyond this is reported.
@@ -176,9 +175,7 @@ impl Seen {
             Oddity::AreaAboveNominal => Finding::warning("area-above-nominal", "fraction", value)
                 .usual([0.0, 1.0])
                 .fact(format!("the real area is {} times the nominal area", short(value)))
-                .advice(format!(
-                    "models of independent asperities do not hold there; use `{WHOLE_SURFACE}`"
-                )),
+                .advice("models of independent asperities do not hold there; use boundary elements or a theory of the whole surface"),
             Oddity::Cancelled => Finding::warning("cancelled", "condition", value)
                 .usual([0.0, CANCELLED])
                 .of_quantity(quantity)

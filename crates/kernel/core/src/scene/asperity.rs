@@ -1,7 +1,6 @@
 //! One asperity pressed by a flat: the inputs of a single-asperity law.
 
 use crate::error::{positive, require};
-use crate::recommended::ELASTIC;
 use crate::{ContactError, Interface};
 
 /// One asperity, with every input resolved.
@@ -131,7 +130,7 @@ impl Asperity {
 }
 
 fn never_yields() -> ContactError {
-    let reason = format!("set `hardness` or `yield_strength`; only {ELASTIC} work without");
+    let reason = "set `hardness` or `yield_strength`; only elastic models work without".into();
     ContactError::Missing { field: "hardness", reason }
 }
 

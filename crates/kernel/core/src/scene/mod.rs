@@ -44,6 +44,10 @@ pub struct Scene {
     pub pair: Option<Pair>,
 }
 
+/// Distance of two atoms \[m\]: asperities with a smaller w_c are plastic from the onset of
+/// contact, and smaller gaps are closed.
+pub const ATOMIC_DISTANCE: f64 = 3e-10;
+
 impl Scene {
     /// The [adhesion parameter](Self::adhesion_parameter) above which roughness hides adhesion.
     /// \[recalled\]

@@ -189,6 +189,12 @@ impl Surface {
     /// heights: 0.0158 to 0.098 \[derived\].
     pub const USUAL_ASPERITY_ROUGHNESS: [f64; 2] = [0.0158, 0.1];
 
+    /// √(2 m₂) of an isotropic Gaussian surface with these asperities: its rms gradient.
+    #[must_use]
+    pub fn rms_gradient(&self) -> f64 {
+        (2.0 * self.moments().m2).sqrt()
+    }
+
     /// β_z = η R σ_z; usually in [`USUAL_ASPERITY_ROUGHNESS`](Self::USUAL_ASPERITY_ROUGHNESS).
     #[must_use]
     pub fn roughness_parameter(&self) -> f64 {

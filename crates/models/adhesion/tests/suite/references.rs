@@ -7,8 +7,8 @@ use crate::{APPROACH, SEPARATION, compiled, model, scene, work_of};
 
 use asperity_adhesion::{DerjaguinMullerToporov, PullOff, pull_off};
 use asperity_core::{
-    At, Case, Contact, ContactError, ContactModel, Finding, HeightDistribution, Quantity, Request,
-    Severity, Sweep, Tolerance,
+    At, Case, Contact, ContactError, ContactModel, HeightDistribution, Quantity, Request, Sweep,
+    Tolerance,
 };
 use asperity_gw::GreenwoodWilliamson;
 
@@ -200,27 +200,6 @@ fn tensions_are_told_and_what_is_missing_is_named() {
             assert!(refused.starts_with(wanted), "{refused}");
         }
     }
-}
-
-#[test]
-fn works_in_another_unit_are_asked_about_and_tabors_parameter_is_told() {
-    let check = scene(50.0).check().unwrap();
-    let found: Vec<&Finding> =
-        check.findings.iter().filter(|f| f.field == "work_of_adhesion").collect();
-    let [finding] = found[..] else { panic!("{:?}", check.findings) };
-    assert_eq!((finding.code, finding.severity), ("unusual-size", Severity::Warning));
-    assert!(finding.message().ends_with("50 looks like mJ/m2; 50 mJ/m2 is 0.05 J/m2"), "{finding}");
-    let check = scene(0.05).check().unwrap();
-    assert!(!check.findings.iter().any(|f| f.field == "work_of_adhesion"), "{:?}", check.findings);
-    // (1e-4 · 0.0025/(1e18 · 2.7e-29))^(1/3), and 1e9 · 1e-10.5/(0.05 · 0.01).
-    let number = |name| check.number(name).unwrap();
-    assert!((number("tabor_parameter") / 9_259.259_259_259_26f64.cbrt() - 1.0).abs() < 1e-12);
-    assert!((number("adhesion_parameter") / 63.245_553_203_367_6 - 1.0).abs() < 1e-12);
-    let none = scene(0.0).check().unwrap();
-    assert_eq!(
-        (none.number("tabor_parameter"), none.number("adhesion_parameter")),
-        (Some(0.0), None)
-    );
 }
 
 #[test]

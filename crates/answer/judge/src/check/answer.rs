@@ -1,0 +1,298 @@
+//! Plausibility of an answer: interferences, number of contacts, and the range of validity of the
+//! model.
+
+use std::mem::discriminant;
+
+use super::Check;
+use super::findings::{
+    FEW, above_hardness, beyond_fit, crowded, few, missed, share_above, sticks, yields,
+};
+use super::impossible::beyond_full_contact;
+use super::interferences::Interferences;
+use asperity_core::{
+    At, Contact, ContactError, ContactModel, Datum, Finding, Findings, Quantity, Regime, Request,
+    Scene, Separation, SeparationUnit, Tolerance, Validity, short,
+};
+
+/// Tolerance of the numbers in findings.
+const TOLERANCE: f64 = 1e-6;
+/// w/R beyond which an asperity is no spherical cap under small deformation.
+const FLATTENED: f64 = 0.3;
+/// Share of the contacts that carries less than one per cent of the load.
+const NEGLIGIBLE: f64 = 1e-6;
+/// Meaning of that share.
+const YIELDING_SHARE: &str = "of the load, by asperities with w > w_c";
+
+impl Check {
+    /// Derived numbers and findings of a scene ([`of`](Self::of)) and of a model's answer at a
+    /// place.
+    ///
+    /// # Errors
+    /// [`ContactError`] with the reason why the scene, the model or the place is refused.
+    pub fn at(model: &dyn ContactModel, scene: &Scene, at: At) -> Result<Self, ContactError> {
+        Self::of(scene)?;
+        let contact = model.compile(scene, &judging()?)?;
+        let mut check = Self::of_contacts(scene, contact.scene())?;
+        let answer = Self::of_answer(model, &*contact, at, true)?;
+        check.keep_for(model);
+        check.numbers.extend(answer.numbers);
+        check.extend(answer.findings);
+        Ok(check)
+    }
+
+    /// Findings of the answers at these places, each once: at the smallest separation, and at the
+    /// smallest and largest loads. Places without an answer have no findings.
+    #[must_use]
+    pub fn answers(model: &dyn ContactModel, scene: &Scene, places: &[At]) -> Findings {
+        let places = extremes(places, scene);
+        let contact = judging().and_then(|asked| model.contact(scene, &asked.at(places.clone())));
+        contact.map_or(Findings::default(), |contact| Self::of_places(model, &*contact, &places))
+    }
+
+    /// [`answers`](Self::answers) of a contact of the model: where it has what is judged
+    /// ([`Quantity::JUDGED`]), nothing is compiled and no load is inverted again.
+    #[must_use]
+    pub fn answers_of(model: &dyn ContactModel, contact: &dyn Contact, places: &[At]) -> Findings {
+        match Quantity::JUDGED.iter().all(|judged| contact.quantities().contains(judged)) {
+            true => Self::of_places(model, contact, &extremes(places, contact.scene())),
+            false => Self::answers(model, contact.scene(), places),
+        }
+    }
+
+    fn of_places(model: &dyn ContactModel, contact: &dyn Contact, places: &[At]) -> Findings {
+        let mut check = Self::default();
+        for at in places {
+            if let Ok(answer) = Self::of_answer(model, contact, *at, false) {
+                check.extend(answer.findings);
+            }
+        }
+        // The worst of a few extremes: rows are not counted.
+        check.findings.into_iter().map(|found| found.in_rows(1)).collect()
+    }
+
+    /// Removes findings about asperities for models of the whole surface.
+    pub fn keep_for(&mut self, model: &dyn ContactModel) {
+        let findings = std::mem::take(&mut self.findings);
+        self.findings = findings.for_asperities(model.validity().asperities);
+    }
+
+    /// All numbers if `whole`, otherwise only those with warnings: of models with inclined contacts
+    /// then no interferences, and of others only where they may matter.
+    fn of_answer(
+        model: &dyn ContactModel,
+        contact: &dyn Contact,
+        at: At,
+        whole: bool,
+    ) -> Result<Self, ContactError> {
+        let (scene, validity) = (contact.scene(), model.validity());
+        // Theories of the whole surface have no number of contacts, and some no separation.
+        let known = |found: Result<f64, ContactError>| match found {
+            Ok(number) => Ok(Some(number)),
+            Err(ContactError::Unsupported { .. } | ContactError::Missing { .. }) => Ok(None),
+            Err(error) => Err(error),
+        };
+        let in_sigma = |at| contact.separation_in(SeparationUnit::Sigma, Datum::AsperityMean, at);
+        let asked = validity.asperities && (whole || !validity.angles);
+        let place = if asked { known(in_sigma(at))?.map(Separation::sigmas) } else { None };
+        let row = contact.respond(&Request::new(Quantity::JUDGED).at([place.map_or(at, At::from)]));
+        let value = |k: usize| match &row.columns[k].rows[0] {
+            Ok(found) => Ok(found.value()),
+            Err(error) => Err((**error).clone()),
+        };
+        let contacts = known(value(2))?;
+        let place = place.filter(|_| contacts.is_some());
+        let mut check = Self::of_totals(model, scene, at, place, [value(0)?, value(1)?], contacts);
+        if whole {
+            check.add_stiffnesses(model, scene, place.map_or(at, At::from))?;
+        }
+        let Some((place, contacts)) = place.zip(contacts) else { return Ok(check) };
+        let yields = validity.holds_to.is_some_and(|x| x <= 1.0);
+        if (whole || yields || may_be_deep(contact, place, contacts))
+            && let Some(laws) = model.asperity_model()
+            && let Ok(law) = laws.force(&scene.asperity()?, Tolerance::new(TOLERANCE)?)
+            && let Some(deep) = Interferences::of(contact, &law, place)?
+        {
+            let plastic = law.parts.last().is_some_and(|part| part.regime == Regime::Plastic);
+            check.of_depths(model, scene, at, (&deep, plastic));
+        }
+        if whole || yields {
+            check.of_different_radii(model, contact, at, place);
+        }
+        Ok(check)
+    }
+
+    /// The stiffnesses that the model has on this scene.
+    fn add_stiffnesses(
+        &mut self,
+        model: &dyn ContactModel,
+        scene: &Scene,
+        at: At,
+    ) -> Result<(), ContactError> {
+        let tolerance = Tolerance::new(TOLERANCE)?;
+        for (quantity, name, meaning) in [
+            (Quantity::Tangent, "tangent", "stiffness in first loading, -dF/dd"),
+            (Quantity::UnloadingStiffness, "unloading_stiffness", "stiffness of small vibrations"),
+        ] {
+            let contact = model.compile(scene, &Request::new([quantity]).within(tolerance));
+            if let Ok(found) = contact.and_then(|contact| contact.evaluate(quantity, at)) {
+                self.add_number(name, found.value(), "N/m", meaning);
+            }
+        }
+        Ok(())
+    }
+
+    /// Numbers and findings from the shares of the force that yielding asperities of different
+    /// radii carry; none for other models and without a hardness.
+    fn of_different_radii(
+        &mut self,
+        model: &dyn ContactModel,
+        contact: &dyn Contact,
+        at: At,
+        place: Separation,
+    ) {
+        let Validity { holds_to, known_defect, .. } = model.validity();
+        let defect = known_defect.map(|defect| [defect.from, defect.to]);
+        let mut multiples = vec![1.0];
+        multiples.extend(defect.iter().flatten());
+        let Ok(Some(beyond)) = contact.shares_beyond(place.into(), &multiples) else { return };
+        let [yielding, missing @ ..] = &beyond[..] else { return };
+        self.add_number("yielding_share", *yielding, "", YIELDING_SHARE);
+        if holds_to.is_some_and(|multiple| multiple <= 1.0) {
+            self.extend(yields(model, at, *yielding));
+        }
+        if let (Some(defect), [from, to]) = (known_defect, missing) {
+            self.extend(missed(model, at, from - to, &defect));
+        }
+    }
+
+    /// Numbers and findings from force \[N\], area \[m²\] and number of contacts.
+    fn of_totals(
+        model: &dyn ContactModel,
+        scene: &Scene,
+        at: At,
+        place: Option<Separation>,
+        [force, area]: [f64; 2],
+        contacts: Option<f64>,
+    ) -> Self {
+        let mut check = Self::default();
+        let fraction = area / scene.nominal_area;
+        let sigma = scene.surface.asperity_height_std;
+        check.add_number("load", force, "N", "normal force");
+        check.add_number("pressure", force / scene.nominal_area, "Pa", "load over A_n");
+        if let Some(Separation { value, .. }) = place {
+            let plane = Datum::AsperityMean.name(&scene.heights);
+            let of = format!("d/sigma_z, from {plane}");
+            check.add_number("separation_over_sigma", value, "", of);
+            check.add_number("separation", value * sigma, "m", format!("d, from {plane}"));
+        }
+        check.add_number("area", area, "m2", format!("real area of contact, by {}", model.id()));
+        check.add_number("area_fraction", fraction, "", "real over nominal area");
+        check.extend(crowded(model, at, fraction).filter(|_| model.validity().asperities));
+        // A pressure that was asked for is exact; that of the force has an error.
+        let pressure = at.pressure(scene).unwrap_or(force / scene.nominal_area);
+        check.extend(beyond_full_contact(model, scene, at, [pressure, fraction]));
+        check.extend(sticks(model, scene));
+        if let Some(contacts) = contacts {
+            check.add_number("contacts", contacts, "", "asperities that touch");
+            if matches!(at, At::Load(_) | At::Pressure(_)) && contacts > 0.0 && contacts < FEW {
+                check.extend([few(model, at, contacts)]);
+            }
+            if contacts > 0.0 && area > 0.0 {
+                let radius = (area / (std::f64::consts::PI * contacts)).sqrt();
+                check.add_number("contact_radius", radius, "m", "of a contact of mean area");
+            }
+        }
+        let mean = force / area;
+        if mean > 0.0 {
+            check.add_number("mean_pressure", mean, "Pa", "load over real area");
+            if let Some(hardness) = scene.interface.softer_hardness() {
+                check.add_number("mean_pressure_over_hardness", mean / hardness, "", "p/H");
+                // Other models with a limited range report yielding by interference.
+                let Validity { asperities, holds_to, .. } = model.validity();
+                match holds_to {
+                    None => check.extend(above_hardness(model, at, mean / hardness)),
+                    Some(_) if asperities => {}
+                    Some(_) => check.extend(yields(model, at, share_above(hardness / mean))),
+                }
+            }
+        }
+        check
+    }
+
+    /// Numbers and findings from the interferences of the asperities, for a law that may end in
+    /// a plastic part.
+    fn of_depths(
+        &mut self,
+        model: &dyn ContactModel,
+        scene: &Scene,
+        at: At,
+        (deep, plastic): (&Interferences, bool),
+    ) {
+        let (w, r) = (deep.largest(), scene.surface.asperity_radius);
+        let top = "exceeded by the asperities that carry the top 1 % of the load";
+        self.add_number("interference", w, "m", top);
+        self.add_number("interference_over_radius", w / r, "", "w/R of it");
+        if w > FLATTENED * r {
+            let deep = Finding::warning("deep", "interference_over_radius", w / r)
+                .usual([0.0, FLATTENED])
+                .of_model(model.id())
+                .at(at)
+                .fact(format!(
+                    "the asperities that carry the top 1 % of the load are pressed in by more than {} times their radius",
+                    short(w / r)
+                ))
+                .advice("laws of spherical asperities do not hold so deep; `persson-plastic` and `bem` have no asperities");
+            self.extend([deep]);
+        }
+        let critical = scene.asperity().and_then(|asperity| asperity.critical_interference());
+        let Ok(critical) = critical else { return };
+        self.add_number("interference_over_critical", w / critical, "", "w/w_c of it");
+        let beyond = deep.beyond(critical);
+        self.add_number("yielding_share", beyond, "", YIELDING_SHARE);
+        if let Some(misses) = model.validity().known_defect {
+            let [from, to] = [misses.from, misses.to].map(|x| deep.beyond(x * critical));
+            self.extend(missed(model, at, from - to, &misses));
+        }
+        let Some(holds_to) = model.validity().holds_to else { return };
+        let outside = deep.beyond(holds_to * critical);
+        if holds_to <= 1.0 {
+            self.extend(yields(model, at, outside));
+        } else {
+            let x = w / critical;
+            self.extend(beyond_fit(model, at, (outside, x), holds_to, plastic));
+        }
+    }
+}
+
+/// What is judged, as accurate as the numbers of findings have to be.
+fn judging() -> Result<Request, ContactError> {
+    Ok(Request::new(Quantity::JUDGED).within(Tolerance::new(TOLERANCE)?))
+}
+
+/// Whether a relevant share of the contacts is deeper than spherical caps allow, by counting.
+fn may_be_deep(contact: &dyn Contact, place: Separation, contacts: f64) -> bool {
+    let surface = &contact.scene().surface;
+    let depth = FLATTENED * surface.asperity_radius / surface.asperity_height_std;
+    let deep = contact.evaluate(Quantity::Contacts, Separation::sigmas(place.value + depth));
+    deep.is_ok_and(|deep| deep.value() > NEGLIGIBLE * contacts)
+}
+
+/// The smallest separation, and the largest and smallest loads and pressures, each once.
+fn extremes(places: &[At], scene: &Scene) -> Vec<At> {
+    let number = |at: &At| match at {
+        // Invalid separations are refused elsewhere.
+        At::Separation(place) => place
+            .measured_in(SeparationUnit::Metres, Datum::AsperityMean, scene)
+            .map_or(f64::NEG_INFINITY, |place| -place.value),
+        _ => at.load(scene).unwrap_or(f64::NEG_INFINITY),
+    };
+    let mut found: Vec<At> = vec![];
+    for kind in [At::sigmas(0.0), At::Load(0.0), At::Pressure(0.0)].map(|at| discriminant(&at)) {
+        let mut alike: Vec<&At> = places.iter().filter(|at| discriminant(*at) == kind).collect();
+        alike.sort_by(|a, b| number(a).total_cmp(&number(b)));
+        alike.dedup_by(|a, b| number(a).total_cmp(&number(b)).is_eq());
+        let least = alike.first().filter(|at| alike.len() > 1 && at.load(scene).is_some());
+        found.extend(alike.last().into_iter().chain(least).map(|at| **at));
+    }
+    found
+}

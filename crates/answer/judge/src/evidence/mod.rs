@@ -1,0 +1,142 @@
+//! Models compared with boundary elements: the table on which advice is based.
+
+mod case;
+#[cfg(feature = "evidence")]
+mod contacts;
+#[cfg(feature = "evidence")]
+mod coordinates;
+mod csv;
+#[cfg(feature = "evidence")]
+mod expected;
+#[cfg(feature = "evidence")]
+mod interval;
+#[cfg(feature = "evidence")]
+mod of_model;
+#[cfg(feature = "evidence")]
+mod process;
+#[cfg(feature = "evidence")]
+mod ratio;
+
+use std::sync::OnceLock;
+
+#[cfg(feature = "evidence")]
+use coordinates::Coordinates;
+#[cfg(feature = "evidence")]
+use process::Process;
+
+#[cfg(feature = "evidence")]
+pub(crate) use contacts::Counted;
+#[cfg(feature = "evidence")]
+pub(crate) use of_model::{Lacking, compile};
+#[cfg(feature = "evidence")]
+pub use of_model::{compile_compared, compile_known};
+
+pub use crate::evidence::case::{Compared, EvidenceCase, EvidenceRow};
+#[cfg(feature = "evidence")]
+pub use crate::evidence::coordinates::SurfaceShape;
+#[cfg(feature = "evidence")]
+pub use crate::evidence::expected::{Estimate, ExpectedContact};
+#[cfg(feature = "evidence")]
+pub use crate::evidence::ratio::Ratio;
+use asperity_core::ContactError;
+
+/// Boundary elements on generated surfaces, and models beside them, as `cargo xtask truth` computes
+/// them: periodic, 256 x 256 to 2048 x 2048 pixels with shortest waves of 8 pixels, from
+/// `bem::RandomSurface`; isotropic and Gaussian, or skewed, or with a lay;
+/// elastic and with plasticity indices (moments, E, S and H as the models use them).
+///
+/// With the feature `evidence`, `expected` interpolates between them.
+#[derive(Debug, Clone)]
+pub struct Evidence {
+    cases: Vec<EvidenceCase>,
+    /// Of the cases, in their order.
+    #[cfg(feature = "evidence")]
+    places: Vec<Coordinates>,
+    /// Through the cases, one for each of [`Compared::ALL`], made at first use.
+    #[cfg(feature = "evidence")]
+    processes: [OnceLock<Option<Process>>; Compared::ALL.len()],
+}
+
+impl Evidence {
+    /// The committed table, a csv with the columns [`COLUMNS`](Self::COLUMNS) and four for each
+    /// model: area, stiffness and unloading stiffness over those of boundary elements, and the mean
+    /// gap less that of boundary elements over √m₀, all in thousandths; empty if not available.
+    pub const CSV: &'static str = include_str!("../../data/truth.csv");
+
+    /// Columns of the cases and of boundary elements: means over the surfaces and their standard
+    /// errors. Stiffnesses -dp/d(gap) are in units of E/√m₀, mean gaps in √m₀: distances of the
+    /// mean planes, as the separations of models are, with the gaps of plastic pixels below 0.
+    pub const COLUMNS: [&'static str; 16] = csv::COLUMNS;
+
+    /// Hurst exponent of the spectra of the solved surfaces.
+    pub const HURST: f64 = 0.8;
+
+    /// Root mean square gradient of the solved surfaces, to which stiffnesses are proportional.
+    pub const GRADIENT: f64 = 0.05;
+
+    /// The number of a model in the table, from a result of it and of boundary elements.
+    #[must_use]
+    pub fn relative(quantity: Compared, model: f64, bem: f64) -> f64 {
+        csv::relative(quantity, model, bem)
+    }
+
+    /// The committed evidence.
+    ///
+    /// # Errors
+    /// Those of [`parse`](Self::parse).
+    pub fn committed() -> Result<&'static Self, ContactError> {
+        static READ: OnceLock<Result<Evidence, ContactError>> = OnceLock::new();
+        READ.get_or_init(|| Self::parse(Self::CSV)).as_ref().map_err(Clone::clone)
+    }
+
+    /// Reads evidence from a text like [`CSV`](Self::CSV).
+    ///
+    /// # Errors
+    /// [`ContactError::Refused`] with line, column and content of the first invalid field, or if
+    /// there are no cases.
+    pub fn parse(text: &str) -> Result<Self, ContactError> {
+        Self::of_cases(csv::cases(text)?)
+    }
+
+    fn of_cases(cases: Vec<EvidenceCase>) -> Result<Self, ContactError> {
+        Ok(Self {
+            #[cfg(feature = "evidence")]
+            places: cases.iter().map(Coordinates::of_case).collect::<Result<_, _>>()?,
+            #[cfg(feature = "evidence")]
+            processes: Default::default(),
+            cases,
+        })
+    }
+
+    /// The solved cases of isotropic Gaussian surfaces in one line: `alpha 3.1, 7.5, 29.5, elastic
+    /// and psi 1, 2, 4, p/(E g) from 0.001 to 0.2`.
+    #[must_use]
+    pub fn solved(&self) -> String {
+        let each = |of: fn(&EvidenceCase) -> f64| {
+            let plain = |case: &&EvidenceCase| case.skewness == 0.0 && case.slope_ratio <= 1.0;
+            let plain = self.cases.iter().filter(plain);
+            let mut all: Vec<f64> = plain.map(of).filter(|x| *x > 0.0).collect();
+            all.sort_by(f64::total_cmp);
+            all.dedup();
+            all
+        };
+        let listed = |all: Vec<String>| all.join(", ");
+        let alpha = each(|case| case.alpha).iter().map(|x| format!("{x:.1}")).collect();
+        let index = each(|case| case.plasticity_index).iter().map(ToString::to_string).collect();
+        let loads = each(|case| case.load);
+        let end = |load: Option<&f64>| load.map_or_else(String::new, ToString::to_string);
+        let [lightest, heaviest] = [loads.first(), loads.last()].map(end);
+        let (alpha, index) = (listed(alpha), listed(index));
+        format!("alpha {alpha}, elastic and psi {index}, p/(E g) from {lightest} to {heaviest}")
+    }
+
+    /// All cases, ordered by surface, material and load.
+    #[must_use]
+    pub fn cases(&self) -> &[EvidenceCase] {
+        &self.cases
+    }
+}
+
+#[cfg(test)]
+#[cfg(feature = "evidence")]
+mod tests;

@@ -1,0 +1,285 @@
+//! The committed table, and what follows from it.
+
+use super::*;
+use asperity_core::{HeightDistribution, Interface, ProfileMoments, Scene, Surface};
+
+fn scene(alpha: f64, index: f64) -> Scene {
+    let moments = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: alpha * 1e4 };
+    let surface = Surface::from_moments(&moments).unwrap();
+    let mut scene = Scene::new(Interface::elastic(1e11, 0.3), surface, 1e-6);
+    if index > 0.0 {
+        scene.interface.hardness = Some(1e9);
+        let hardness = 1e9 * scene.plasticity_index().unwrap() / index;
+        scene.interface.hardness = Some(hardness);
+    }
+    scene
+}
+
+/// E g of these scenes \[Pa\].
+fn unit() -> f64 {
+    1e11 * 2e-4f64.sqrt()
+}
+
+#[test]
+fn the_committed_table_is_complete() {
+    let evidence = Evidence::committed().unwrap();
+    for case in evidence.cases() {
+        let area = case.bem.value(Compared::Area).unwrap();
+        let error = case.bem.error(Compared::Area).unwrap();
+        assert!(error >= 0.0 && area > 0.0 && area + error < 1.0, "{case:?}");
+        assert!(case.surfaces >= 4 && (0.0..=1.0).contains(&case.plastic_share), "{case:?}");
+        let gw = case.models.iter().find(|(id, _)| id == "gw");
+        assert!(gw.is_some_and(|(_, gw)| gw.value(Compared::Area).is_some()), "{case:?}");
+    }
+    assert!(Evidence::CSV.len() < 150_000, "{}", Evidence::CSV.len());
+}
+
+/// Other texts repeat the line of `solved`.
+#[test]
+fn the_solved_cases_are_listed() {
+    let solved = Evidence::committed().unwrap().solved();
+    assert!(solved.starts_with("alpha 3.1, 7.5, 29.5, 76.9, 135.1, "), "{solved}");
+    assert!(solved.ends_with(", p/(E g) from 0.00001 to 0.3"), "{solved}");
+}
+
+/// A model without evidence may stand: the table knows nothing of models.
+#[test]
+fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
+    let evidence = Evidence::committed().unwrap();
+    let cut = |line: &str| {
+        let own: Vec<&str> = line.split(',').take(Evidence::COLUMNS.len()).collect();
+        own.join(",")
+    };
+    let bare: Vec<String> = Evidence::CSV.lines().map(cut).collect();
+    let bare = Evidence::parse(&bare.join("\n")).unwrap();
+    let [mut areas, mut inside_area, mut stiffnesses, mut inside] = [0.0; 4];
+    for case in evidence.cases().iter().filter(|case| case.skewness == 0.0).step_by(3) {
+        let scene = scene(case.alpha, case.plasticity_index);
+        let shape = SurfaceShape::new(0.0, [case.slope_ratio, 1.0]);
+        let pressure = case.load * unit();
+        let found = evidence.expected(&scene, Some(shape), pressure, None).unwrap();
+        let area = found.estimate(Compared::Area).unwrap();
+        let solved = case.bem.value(Compared::Area).unwrap();
+        // The smooth surface passes light loads within their standard errors of up to 6 %.
+        assert!((area.value / solved - 1.0).abs() < 0.07, "{case:?} {area:?}");
+        let span = |quantity| {
+            let [value, error] =
+                [case.bem.value(quantity), case.bem.error(quantity)].map(Option::unwrap);
+            [value - error, value + error]
+        };
+        // The table has four digits.
+        let [lowest, highest] = span(Compared::Area).map(|x| 1.0005 * x);
+        areas += 1.0;
+        inside_area += f64::from(area.low < highest && lowest < area.high);
+        // Stiffnesses do not depend on the gradient of the solved surfaces.
+        let unit = unit() * scene.nominal_area / 1e-6;
+        let [lowest, highest] = span(Compared::Stiffness).map(|k| k / Evidence::GRADIENT * unit);
+        if let Some(stiffness) = found.estimate(Compared::Stiffness) {
+            stiffnesses += 1.0;
+            inside += f64::from(stiffness.low < highest && lowest < stiffness.high);
+        }
+        assert_eq!(bare.expected(&scene, Some(shape), pressure, None).unwrap(), found);
+    }
+    // The interval holds nine of ten, and these rows are part of the table.
+    println!("{inside_area} of {areas} areas, {inside} of {stiffnesses} stiffnesses");
+    assert!(areas > 50.0 && inside_area >= 0.95 * areas, "{inside_area} of {areas}");
+    assert!(stiffnesses > 40.0 && inside >= 0.95 * stiffnesses, "{inside} of {stiffnesses}");
+}
+
+#[test]
+fn outside_there_is_no_evidence() {
+    let evidence = Evidence::committed().unwrap();
+    let refused = |alpha: f64, index: f64, load: f64| {
+        let found = evidence.expected(&scene(alpha, index), None, load * unit(), None);
+        found.unwrap_err().to_string()
+    };
+    let mut said = vec![
+        refused(1.6, 2.0, 0.01),
+        refused(200.0, 2.0, 0.01),
+        refused(8.0, 15.9, 0.01),
+        refused(8.0, 17.0, 0.01),
+        refused(8.0, 2.0, 0.7),
+        refused(3.2, 5.5, 0.3),
+        refused(8.0, 2.0, 1e-7),
+    ];
+    // Ratios are constant under loads below all solved ones.
+    let light = evidence.expected(&scene(8.0, 2.0), None, 5e-7 * unit(), None).unwrap();
+    assert!(light.extrapolated && (light.pressure / (1e-5 * unit()) - 1.0).abs() < 1e-9);
+    let mut exponential = scene(8.0, 2.0);
+    exponential.heights = HeightDistribution::Exponential;
+    let found = evidence.expected(&exponential, None, 0.01 * unit(), None).unwrap_err();
+    said.push(found.to_string());
+    // With a shape from a scan there is.
+    let shape = SurfaceShape::new(-0.9, [1.0, 1.0]);
+    let found = evidence.expected(&exponential, Some(shape), 0.01 * unit(), None).unwrap();
+    assert!(found.basis().contains(", psi 2, skewness -0.9; boundary"), "{}", found.basis());
+    let shape = SurfaceShape::new(-4.0, [1.0, 1.0]);
+    let found = evidence.expected(&exponential, Some(shape), 0.01 * unit(), None).unwrap_err();
+    said.push(found.to_string());
+    insta::assert_snapshot!(said.join("\n"));
+}
+
+#[test]
+fn rough_broad_spectra_have_areas_only() {
+    let evidence = Evidence::committed().unwrap();
+    let known = |alpha: f64, hurst: Option<f64>| {
+        let shape = SurfaceShape::default().with_hurst(hurst);
+        let found = evidence.expected(&scene(alpha, 2.0), Some(shape), 0.01 * unit(), None);
+        found.unwrap()
+    };
+    let rough = known(23.0, Some(0.4));
+    assert!(rough.estimate(Compared::Area).is_some());
+    for quantity in [Compared::Stiffness, Compared::UnloadingStiffness, Compared::MeanGap] {
+        assert!(rough.estimate(quantity).is_none(), "{quantity:?}");
+    }
+    let reason = rough.undetermined(Compared::Stiffness);
+    assert!(reason.contains("scan is 0.40"), "{reason}");
+    for (alpha, hurst) in [(5.0, Some(0.4)), (23.0, Some(0.8)), (23.0, None)] {
+        let found = known(alpha, hurst);
+        assert!(found.estimate(Compared::Stiffness).is_some(), "{alpha} {hurst:?}");
+        let said = found.basis().ends_with("Hurst exponent near 0.8");
+        assert_eq!(said, hurst.is_none(), "{}", found.basis());
+    }
+}
+
+/// Peaks carry light loads, and few of them differ from surface to surface.
+#[test]
+fn surfaces_of_peaks_have_wider_intervals_under_light_loads_and_then_none() {
+    let evidence = Evidence::committed().unwrap();
+    let half = |skewness: f64, load: f64| {
+        let shape = SurfaceShape::new(skewness, [1.0; 2]);
+        let found = evidence.expected(&scene(7.5, 0.0), Some(shape), load * unit(), None);
+        found.ok()?.estimate(Compared::Area).map(|area| (area.high / area.low).ln() / 2.0)
+    };
+    assert!(half(1.0, 2e-4).is_none() && half(-1.0, 2e-4).is_some());
+    let [heavy, light] = [0.05, 2e-3].map(|load| half(0.5, load).unwrap());
+    assert!(light > 1.3 * heavy && heavy > half(0.0, 0.05).unwrap(), "{light} {heavy}");
+}
+
+#[test]
+fn few_contacts_widen_the_interval() {
+    let evidence = Evidence::committed().unwrap();
+    let width = |contacts: Option<f64>| {
+        let found = evidence.expected(&scene(8.0, 2.0), None, 0.01 * unit(), contacts).unwrap();
+        let area = found.estimate(Compared::Area).unwrap();
+        area.high / area.low - 1.0
+    };
+    let many = width(None);
+    assert!(many < 0.12 && (width(Some(1e9)) - many).abs() < 1e-6, "{many}");
+    assert!(width(Some(10.0)) > 2.0 * many, "{}", width(Some(10.0)));
+}
+
+/// Of distances of the mean planes, which fall below 0 where most of the contact flows.
+#[test]
+fn separations_are_interpolated_up_to_most_of_the_hardness() {
+    let evidence = Evidence::committed().unwrap();
+    let plain = |case: &&EvidenceCase| case.skewness == 0.0 && case.slope_ratio <= 1.0;
+    let [mut heavy, mut below] = [0, 0];
+    for case in evidence.cases().iter().filter(plain) {
+        let scene = scene(case.alpha, case.plasticity_index);
+        let pressure = case.load * unit();
+        let solved = case.bem.value(Compared::MeanGap).unwrap();
+        if scene.interface.hardness.is_some_and(|hardness| pressure > 0.2 * hardness) {
+            let found = evidence.expected(&scene, None, pressure, None).unwrap();
+            let Some(gap) = found.estimate(Compared::MeanGap) else {
+                assert!(found.pressure_over_hardness > 0.6, "{found:?}");
+                continue;
+            };
+            let [low, high] = [gap.low, gap.high].map(|x| x / found.rms_height);
+            assert!(low < solved && solved < high && high - low < 0.5, "{case:?} {gap:?}");
+            heavy += 1;
+            below += usize::from(solved < 0.0);
+        }
+    }
+    assert!(heavy >= 10 && below > 2, "{heavy} {below}");
+}
+
+/// Leaves out each family of surfaces in turn: the interval that the others give holds its ratios.
+#[test]
+fn families_left_out_lie_in_their_interval() {
+    let evidence = Evidence::committed().unwrap();
+    let mut families: Vec<Coordinates> = vec![];
+    for place in &evidence.places {
+        if !families.iter().any(|family| family.same_family(place)) {
+            families.push(*place);
+        }
+    }
+    let [mut rows, mut answered, mut inside] = [0.0; 3];
+    let mut halves: Vec<f64> = vec![];
+    for family in &families {
+        let other = |(_, place): &(&EvidenceCase, &Coordinates)| !place.same_family(family);
+        let cases = evidence.cases.iter().zip(&evidence.places).filter(other);
+        let others = Evidence::of_cases(cases.map(|(case, _)| case.clone()).collect()).unwrap();
+        let [mut here, mut inside_here] = [0.0; 2];
+        for (case, place) in evidence.cases.iter().zip(&evidence.places) {
+            if !place.same_family(family) {
+                continue;
+            }
+            // Each model with a value is a row: its ratio is inside where boundary elements are.
+            for quantity in Compared::ALL.into_iter().filter(|q| *q != Compared::MeanGap) {
+                let value = |(_, row): &&(String, EvidenceRow)| row.value(quantity).is_some();
+                let models = case.models.iter().filter(value).count() as f64;
+                rows += models;
+                let Some([middle, low, high]) = others.interval(quantity, place) else { continue };
+                let unit = if quantity == Compared::Area { 1.0 } else { Evidence::GRADIENT };
+                let solved = case.bem.value(quantity).unwrap() / unit;
+                here += models;
+                if (low..=high).contains(&solved) {
+                    inside_here += models;
+                }
+                halves.extend(vec![0.5 * (middle / low - middle / high); models as usize]);
+            }
+        }
+        println!("alpha {}, {:?}: {inside_here} of {here}", family.alpha, family.shape);
+        answered += here;
+        inside += inside_here;
+    }
+    halves.sort_by(f64::total_cmp);
+    let (covered, share, half) = (inside / answered, answered / rows, halves[halves.len() / 2]);
+    println!("covered {covered:.3}, answered {share:.3}, half-width {half:.3}");
+    assert!((0.85..=0.97).contains(&covered), "{covered}");
+    assert!(share >= 0.6, "{share}");
+    assert!(half <= 0.15, "{half}");
+}
+
+#[test]
+fn a_ratio_compares_a_model_with_the_estimate() {
+    let (scene, pressure) = (scene(8.0, 2.0), 0.01 * unit());
+    let found = Evidence::committed().unwrap().expected(&scene, None, pressure, None).unwrap();
+    let area = found.estimate(Compared::Area).unwrap();
+    let ratio = found.ratio(Compared::Area, 0.9 * area.value).unwrap();
+    assert!((ratio.ratio - 0.9).abs() < 1e-12 && ratio.low < 0.9 && ratio.high > 0.9);
+    assert!(found.ratio(Compared::Area, f64::NAN).is_none());
+    let gap = found.estimate(Compared::MeanGap).unwrap();
+    let ratio = found.ratio(Compared::MeanGap, gap.value + 0.1 * found.rms_height).unwrap();
+    assert!((ratio.ratio - 0.1).abs() < 1e-12, "{ratio:?}");
+}
+
+/// Tangent and unloading stiffness are interpolated one by one, and cross where little yields.
+#[test]
+fn the_unloading_stiffness_is_at_least_the_tangent() {
+    let evidence = Evidence::committed().unwrap();
+    let [mut compared, mut crossed] = [0; 2];
+    for alpha in [3.2, 8.0, 20.0, 60.0] {
+        for index in [0.2, 0.5, 0.8, 2.0] {
+            for load in [1e-4, 1e-3, 1e-2, 0.1] {
+                let scene = scene(alpha, index);
+                let Ok(found) = evidence.expected(&scene, None, load * unit(), None) else {
+                    continue;
+                };
+                let both = [Compared::Stiffness, Compared::UnloadingStiffness];
+                let [Some(tangent), Some(unloading)] = both.map(|q| found.estimate(q)) else {
+                    continue;
+                };
+                assert!(tangent.value <= unloading.value, "{tangent:?} {unloading:?}");
+                assert!(tangent.low <= unloading.low && tangent.high <= unloading.high);
+                compared += 1;
+                let mut place = Coordinates::of_scene(&scene, None, load * unit()).unwrap();
+                place.contacts = f64::INFINITY;
+                let [tangent, unloading] = both.map(|q| evidence.interval(q, &place).unwrap());
+                crossed += usize::from(unloading.iter().zip(tangent).any(|(u, t)| *u < t));
+            }
+        }
+    }
+    assert!(compared > 40 && crossed > 0, "{compared} {crossed}");
+}
