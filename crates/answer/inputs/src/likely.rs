@@ -110,10 +110,10 @@ const STEEPEST: f64 = 200.0;
 /// A warning for a gradient, of this name, that is probably in degrees or per cent.
 ///
 /// ```
-/// let found = asperity_inputs::likely_angle("mean_slope", 7.0).unwrap().to_string();
-/// let text = "mean_slope is 7, steeper than 45 degrees: 7 looks like degrees or per cent; 7 deg is 0.1228, 7 % is 0.07";
-/// assert_eq!(found, text);
-/// assert_eq!(asperity_inputs::likely_angle("mean_slope", 0.07), None);
+/// let found = asperity_inputs::likely_angle("mean_slope", 7.0).unwrap().to_string(); let text =
+/// "mean_slope is 7, steeper than 45 degrees: 7 looks like degrees or per cent; 7 deg is 0.1228, 7
+/// % is 0.07"; assert_eq!(found, text); assert_eq!(asperity_inputs::likely_angle("mean_slope",
+/// 0.07), None);
 /// ```
 #[must_use]
 pub fn likely_angle(name: &str, gradient: f64) -> Option<Finding> {

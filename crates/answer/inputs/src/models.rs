@@ -52,9 +52,9 @@ impl SceneFile {
         }
     }
 
-    /// The [usual](Model::usual) models of asperities that the scene allows, with its options, those
-    /// with adhesion if it has a work of adhesion and those with hardening if it has a tangent
-    /// modulus; and the others, each with the reason.
+    /// The [usual](Model::usual) models of asperities that the scene allows, with its options,
+    /// those with adhesion if it has a work of adhesion and those with hardening if it has a
+    /// tangent modulus; and the others, each with the reason.
     #[must_use]
     pub fn models(&self) -> (Vec<Model>, Vec<LeftOut>) {
         self.allowed(Model::usual())

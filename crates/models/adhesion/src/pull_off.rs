@@ -18,7 +18,7 @@ pub struct PullOff {
 /// 2√π, by DMT).
 ///
 /// # Errors
-/// Those of [`Contact`].
+/// The errors of [`Contact`].
 pub fn pull_off(contact: &dyn Contact) -> Result<Option<PullOff>, ContactError> {
     let Some(separation) = contact.pull_off()? else { return Ok(None) };
     let force = contact.evaluate(Quantity::Force, separation)?;

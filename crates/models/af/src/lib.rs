@@ -43,10 +43,10 @@ const SOURCE: Citation = Citation {
     ],
 };
 
-/// R_p/R = 1 - w_c/R, the radius of the embedded plastic asperity over that of the asperity.
+/// R_p/R = 1 - w_c/R, the radius of the embedded plastic asperity over R.
 ///
 /// # Errors
-/// Those of [`Asperity::critical_interference`].
+/// The errors of [`Asperity::critical_interference`].
 pub fn plastic_radius_ratio(asperity: &Asperity) -> Result<f64, ContactError> {
     Ok(1.0 - asperity.critical_interference()? / asperity.radius)
 }

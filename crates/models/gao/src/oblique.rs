@@ -54,7 +54,7 @@ struct Branch {
     inverse: (f64, f64),
 }
 
-/// Tolerance of the azimuth average over that of the angle average.
+/// Tolerance of the azimuth average over the tolerance of the angle average.
 const AZIMUTHS: f64 = 0.05;
 
 impl AngleAverage {

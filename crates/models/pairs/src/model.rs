@@ -1,4 +1,4 @@
-//! The laws of an asperity that meets those of another rough surface.
+//! The laws of an asperity that meets the asperities of another rough surface.
 
 use std::borrow::Cow;
 use std::f64::consts::PI;
@@ -31,7 +31,7 @@ impl AsperityPairs {
     }
 }
 
-/// The law of an asperity from that of one of its contacts.
+/// The law of an asperity from the law of one of its contacts.
 fn sum(one: Law, asperity: &Asperity) -> Result<Law, ContactError> {
     let density = asperity.density.ok_or_else(|| ContactError::Missing {
         field: "asperity_density",

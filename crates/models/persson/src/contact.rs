@@ -136,7 +136,7 @@ impl ContactEngine for OnScene {
         let found = if is_slope(quantity) {
             let (fall, ln_scale) =
                 self.gap()?.fall(self.reduced(pressure)).map_err(integral(quantity, at))?;
-            // dF/du = A p/(du/d ln p); the error of b² is that of the exponent.
+            // dF/du = A p/(du/d ln p); the exponent has the error of b².
             let stiffness = pressure * nominal / fall * (-ln_scale).exp();
             let error = gap::ERROR + error * (2.0 - 2.0 * ln_scale);
             Some(Evaluation::new(stiffness, error))

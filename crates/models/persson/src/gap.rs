@@ -12,7 +12,7 @@ const EVALUATIONS: usize = 1_000_000;
 /// exp(-49) is negligible in an integral.
 const EXPONENT: f64 = 49.0;
 /// Bound on the relative error of a gap or a stiffness: the errors of the error function and of the
-/// wave numbers add to that of the integral.
+/// wave numbers add to the error of the integral.
 pub(crate) const ERROR: f64 = 1e-11;
 
 /// The inputs of mean gaps.

@@ -13,11 +13,11 @@ use asperity_quadrature::{Estimate, FunctionTable, QuadratureError, Sampler, Tan
 use crate::kernel::{Kernel, highest};
 use crate::population::{BEGIN, FIRST, Population};
 
-/// Tolerance of the tables, relative to the envelope of the law, over that of its values; rounding
-/// errors are just below the least.
+/// Tolerance of the tables, relative to the envelope of the law, over the tolerance of its values;
+/// rounding errors are just below the least.
 const TABLE: f64 = 2e-3;
 const LEAST: f64 = 2e-13;
-/// Tolerance of the integrals over that of a table, which takes their errors for its own.
+/// Tolerance of the integrals over the tolerance of a table, whose errors include theirs.
 const EXACT: f64 = 0.05;
 /// Fraction of a range of y, next to 0, on which G is taken as constant: it changes there by less
 /// than √y, and its contribution is as small.

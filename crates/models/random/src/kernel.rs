@@ -14,7 +14,7 @@ use asperity_quadrature::{Estimate, FunctionTable, TanhSinh};
 
 /// Range of mean curvatures above the smallest one, in √(m₄/3): exp(-16²/4) is negligible.
 const BEYOND: f64 = 16.0;
-/// Relative tolerance of the tables, a tenth of that of the laws.
+/// Relative tolerance of the tables, a tenth of the laws' tolerance.
 const TOLERANCE: f64 = 2e-14;
 /// A layer this part of the range is integrated by itself.
 const THIN: f64 = 1e-4;

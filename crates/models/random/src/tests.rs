@@ -318,7 +318,7 @@ fn plasticity_indices_of_hundreds_are_answered() {
 fn indices_of_thousands_tend_to_full_plasticity() {
     let moments = ProfileMoments { m0: 1e-12, m2: 0.04, m4: 6.0 * 0.04 * 0.04 / 1e-12 };
     let surface = Surface::from_moments(&moments).unwrap();
-    // The long cases are those of .ci/full.
+    // .ci/full runs the long cases.
     let count = if std::env::var_os("ASPERITY_LONG").is_some() { 3 } else { 1 };
     for hardness in [1e5, 1e6, 1e7].into_iter().take(count) {
         let scene = Scene::new(Interface::new(1e11, 0.3, hardness), surface, 1e-4);

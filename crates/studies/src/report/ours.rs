@@ -50,7 +50,7 @@ impl Laws {
     /// scenes of one asperity.
     ///
     /// # Errors
-    /// Those of [`asperity::ContactModel::compile`], as below.
+    /// The errors of [`asperity::ContactModel::compile`], as below.
     pub fn scene(&self, problem: &Problem, tolerance: f64) -> Result<Arc<dyn Contact>> {
         let Problem { model, scene, .. } = problem;
         let law = integrated(model, problem.quantity);

@@ -2,8 +2,8 @@
 //!
 //! Random surfaces (`asperity::bem::RandomSurface`, seeds 1, 2, ...) are solved elastically and
 //! with several hardnesses, and kept under target/truth. The results are in
-//! `crates/answer/judge/data/truth.csv`, which `asperity::Evidence` reads; figures and tables follow
-//! from that text alone.
+//! `crates/answer/judge/data/truth.csv`, which `asperity::Evidence` reads; figures and tables
+//! follow from that text alone.
 
 mod family;
 mod feeding;
@@ -62,7 +62,7 @@ pub fn write(solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
 /// Solves the small case for the tests; returns its path.
 ///
 /// # Errors
-/// Those of [`write()`].
+/// The errors of [`write()`].
 pub fn write_small() -> Result<Vec<PathBuf>> {
     save(&root().join("tests/reference"), [("truth_small.csv".to_owned(), small()?)])
 }
@@ -70,7 +70,7 @@ pub fn write_small() -> Result<Vec<PathBuf>> {
 /// The small case as csv, solved anew.
 ///
 /// # Errors
-/// Those of [`write()`].
+/// The errors of [`write()`].
 fn small() -> Result<String> {
     let folder = tempfile::tempdir()?;
     let kept = Kept::in_folder(folder.path())?;

@@ -48,7 +48,7 @@ pub enum BemError {
         /// The values accepted.
         required: &'static str,
     },
-    /// The load exceeds that of a fully plastic contact.
+    /// The load exceeds the load of a fully plastic contact.
     #[error(
         "mean pressure is {pressure:e} Pa: less than the hardness, {hardness:e} Pa, was required"
     )]

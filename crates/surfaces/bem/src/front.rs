@@ -18,7 +18,7 @@ const MANY: usize = 12;
 pub(crate) struct Front {
     /// Nodes to be taken out, in this order.
     pub(crate) inner: Vec<usize>,
-    /// Their neighbours that stay, and those of the parts within.
+    /// Their neighbours that stay, and the neighbours of the parts within.
     pub(crate) outer: Vec<usize>,
     /// Whether each node is connected to few others.
     is_sparse: bool,

@@ -22,7 +22,7 @@ const GAUSS: [[f64; 2]; 4] = [
 /// How a gas meets the walls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Rarefaction {
-    /// No slip: D/6. The hydraulic gap is then that of a liquid.
+    /// No slip: D/6. The hydraulic gap of a liquid holds.
     Continuum,
     /// Slip of first order, 1 + 6 Kn: D/6 + √π/2.
     Slip,
@@ -33,7 +33,7 @@ pub enum Rarefaction {
 }
 
 impl Rarefaction {
-    /// Q(D): the flow over that of h² (-dp/dx)/v.
+    /// Q(D): the mass flow per width over h² (-dp/dx)/v.
     #[must_use]
     pub fn flow(self, d: f64) -> f64 {
         match self {
@@ -117,7 +117,7 @@ impl BoundaryElements {
     /// continues this map; 0 where no path of open pixels leads from face to face.
     ///
     /// # Errors
-    /// [`BemError::OutOfRange`] for pressures that are not positive; those of
+    /// [`BemError::OutOfRange`] for pressures that are not positive; the errors of
     /// [`hydraulic_gap`](Self::hydraulic_gap).
     pub fn gas_flow(
         &self,

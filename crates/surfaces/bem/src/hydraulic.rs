@@ -91,7 +91,7 @@ impl BoundaryElements {
     /// everywhere in an even gap, 0 where the path is closed.
     ///
     /// # Errors
-    /// Those of [`hydraulic_gap`](Self::hydraulic_gap).
+    /// The errors of [`hydraulic_gap`](Self::hydraulic_gap).
     pub fn flux(&self, solution: &Solution, direction: Direction) -> Result<Vec<f64>, BemError> {
         Ok(self.gap_map(solution)?.flux(direction))
     }

@@ -1,7 +1,7 @@
 //! Contacts of few pixels: the problem of the whole map with the highest pixels as unknowns.
 //!
 //! Pressures outside these candidates are 0, and one transform of the whole map gives the
-//! deflections there. If no gap is negative, the solution is that of the whole map; otherwise
+//! deflections there. If no gap is negative, this solves the whole map; otherwise
 //! pixels with a negative gap become candidates, too. As the load falls no pixel comes into
 //! contact, so that the pixels in contact are the candidates of the next lighter load. \[derived\]
 
@@ -30,7 +30,7 @@ const MOST_ROUNDS: usize = 12;
 pub struct LightContact {
     /// Mean pressure on the area of the map \[Pa\].
     pub mean_pressure: f64,
-    /// Real area over the area of the map, corrected as that of a [`Solution`](crate::Solution).
+    /// Real area over the area of the map, corrected as in a [`Solution`](crate::Solution).
     pub area: f64,
     /// Share of the pixels that carry pressure.
     pub pixel_area: f64,
@@ -47,7 +47,7 @@ pub struct LightContact {
     pub patches: Vec<usize>,
     /// Places of the pixels in contact on the map, ascending, and their pressures \[Pa\].
     pub pressures: Vec<(usize, f64)>,
-    /// As that of a [`Solution`](crate::Solution).
+    /// As in a [`Solution`](crate::Solution).
     pub residual: f64,
     /// Number of iterations.
     pub iterations: usize,
@@ -116,7 +116,7 @@ impl BoundaryElements {
     ///
     /// # Errors
     /// [`BemError::NotLight`] above some thousand pixels in contact or with a free boundary;
-    /// otherwise those of [`solve`](Self::solve).
+    /// otherwise the errors of [`solve`](Self::solve).
     pub fn solve_light(&self, pressures: &[f64]) -> Result<Vec<LightContact>, BemError> {
         let mut order: Vec<(usize, f64)> = vec![];
         for (at, pressure) in pressures.iter().enumerate() {

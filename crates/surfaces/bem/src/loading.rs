@@ -29,7 +29,7 @@ impl BoundaryElements {
     /// # Errors
     /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`]
     /// where every pixel touches, [`BemError::FullContactBeside`] where every pixel does at one of
-    /// those pressures, [`BemError::Slope`] where the gap does not fall, and those of
+    /// those pressures, [`BemError::Slope`] where the gap does not fall, and the errors of
     /// [`solve`](Self::solve).
     pub fn loading_stiffness(&self, solution: &Solution) -> Result<f64, BemError> {
         self.pixels_of(solution)?;

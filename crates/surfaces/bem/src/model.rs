@@ -70,7 +70,7 @@ impl Bem {
     /// The same on every second pixel: see [`HeightMap::half_grid`].
     ///
     /// # Errors
-    /// Those of [`HeightMap::half_grid`].
+    /// The errors of [`HeightMap::half_grid`].
     pub fn half_grid(&self) -> Result<Self, BemError> {
         Ok(Self { map: self.map.half_grid()?, ..self.clone() })
     }

@@ -77,7 +77,7 @@ impl ContactSlip {
     /// The tangential force over the area of the map \[Pa\] after a first shift \[m\].
     ///
     /// # Errors
-    /// Those of [`BoundaryElements::solve`], as for all that follow.
+    /// The errors of [`BoundaryElements::solve`], as for all that follow.
     pub fn traction(&self, shift: f64) -> Result<f64, BemError> {
         Ok(self.friction * (self.closest.pressure - self.after(shift)?.pressure))
     }
@@ -86,7 +86,7 @@ impl ContactSlip {
     /// \[J/m²\]. The integral of the traction follows from the elastic energies of both contacts.
     ///
     /// # Errors
-    /// Those of [`traction`](Self::traction), and an amplitude at which no pixel slips.
+    /// The errors of [`traction`](Self::traction), and an amplitude at which no pixel slips.
     pub fn loss(&self, amplitude: f64) -> Result<f64, BemError> {
         let Normal { pressure, energy, separation, touching, .. } = self.closest;
         let after = self.after(amplitude)?;
@@ -94,7 +94,7 @@ impl ContactSlip {
             let required = "one at which pixels slip, as a narrower slip has no known loss,";
             return Err(BemError::OutOfRange { field: "amplitude", found: amplitude, required });
         }
-        // Not that of the amplitude, whose error would remain in the small differences that follow.
+        // Not from the amplitude, whose error would remain in the small differences that follow.
         let retreat = after.separation - separation;
         let area = pressure * retreat - energy + after.energy;
         let triangle = 0.5 * (pressure - after.pressure) * retreat;
@@ -126,7 +126,7 @@ impl ContactSlip {
     /// The tractions of all pixels \[Pa\] after a first shift \[m\], and which of them stick.
     ///
     /// # Errors
-    /// Those of [`traction`](Self::traction).
+    /// The errors of [`traction`](Self::traction).
     pub fn tractions(&self, shift: f64) -> Result<(Vec<f64>, Vec<bool>), BemError> {
         let rest = match self.after(shift)?.pressure {
             0.0 => vec![0.0; self.pressures.len()],
@@ -140,7 +140,7 @@ impl ContactSlip {
     /// Solves the contact that sticks after a shift \[m\], for later calls; `progress` may stop it.
     ///
     /// # Errors
-    /// [`BemError::Cancelled`], and those of [`traction`](Self::traction).
+    /// [`BemError::Cancelled`], and the errors of [`traction`](Self::traction).
     pub fn solve(
         &self,
         shift: f64,

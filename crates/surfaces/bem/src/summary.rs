@@ -1,6 +1,5 @@
 //! The quantities of a solved contact, by the names that all models share.
 
-use asperity_core::recommended::BEM;
 use asperity_core::{ATOMIC_DISTANCE, At, ContactError, Evaluation, Finding, Quantity, Scene};
 
 use crate::hydraulic::GapMap;
@@ -107,7 +106,7 @@ pub(crate) fn known(quantity: Quantity) -> bool {
 
 /// An error of boundary elements as one of the model.
 pub(crate) fn refused(error: BemError) -> ContactError {
-    ContactError::Refused { model: BEM.into(), reason: error.to_string() }
+    ContactError::Refused { model: crate::Bem::ID.into(), reason: error.to_string() }
 }
 
 impl ContactSummary {

@@ -22,7 +22,7 @@ impl BoundaryElements {
     /// Solves the greatest load, from which the contact unloads.
     ///
     /// # Errors
-    /// Those of [`solve`](Self::solve).
+    /// The errors of [`solve`](Self::solve).
     pub fn unloading_from(&self, greatest: LoadCase) -> Result<UnloadingPath, BemError> {
         let solution = self.solve(greatest)?;
         Ok(UnloadingPath {
@@ -61,7 +61,7 @@ impl UnloadingPath {
     ///
     /// # Errors
     /// Each contact has its own: [`BemError::OutOfRange`] for a retreat that is negative or no
-    /// number, and those of [`BoundaryElements::solve`].
+    /// number, and the errors of [`BoundaryElements::solve`].
     pub fn at_retreats(
         &self,
         retreats: &[f64],

@@ -1,5 +1,6 @@
-//! The search for outliers: a few points far above or below all their surroundings, as dust and lost signals
-//! leave in a scan. They are a small share of the points, and may be most of m₄ and the kurtosis.
+//! The search for outliers: a few points far above or below all their surroundings, as dust and
+//! lost signals leave in a scan. They are a small share of the points, and may be most of m₄ and
+//! the kurtosis.
 
 use crate::outliers::Outliers;
 use crate::{Level, Topography, TopographyError};

@@ -147,7 +147,7 @@ impl Deflection {
     fn forward_row(&mut self, j: usize) {
         let half = self.half();
         let into = &mut self.complex[j * half..(j + 1) * half];
-        // Lengths are those of the plan.
+        // The lengths are the plan's.
         let _ = self.rows.process(&mut self.row, into);
     }
 

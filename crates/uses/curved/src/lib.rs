@@ -9,7 +9,7 @@
 //! ```
 //!
 //! and for cylinders, per length, u = (2/(π E)) ∫ p ln(L/|x - s|) ds with a reference length L
-//! (Greenwood & Tripp 1967). P contains the compliance of the asperities, u adds that of the bodies
+//! (Greenwood & Tripp 1967). P contains the compliance of the asperities, u adds the bodies'
 //! under the mean pressure: a correction of P for interaction has no place in it. Newton's method
 //! solves for the separations d on a regular grid, with spectral accuracy.
 //!
@@ -134,8 +134,8 @@ fn above_zero(field: &'static str, value: f64) -> Result<f64, ContactError> {
 
 impl Curved {
     /// Compiles a model for these bodies: for pressures, and for the quantities asked for (area,
-    /// contacts, unloading stiffness). The numbers of solutions are right to the tolerance, relative
-    /// to the value, lengths to the larger of value and σ_z.
+    /// contacts, unloading stiffness). The numbers of solutions are right to the tolerance,
+    /// relative to the value, lengths to the larger of value and σ_z.
     ///
     /// # Errors
     /// Radii and lengths that are not above 0, models with adhesion, and the errors of the model.

@@ -53,8 +53,8 @@ impl<'c> Solution<'c> {
         Work { products: self.state.kernel.products, ..self.state.work }
     }
 
-    /// Approach of the bodies \[m\] from where their undeformed surfaces touch, the rough one at the
-    /// mean of its asperity heights; `None` of a line without a reference length.
+    /// Approach of the bodies \[m\] from where their undeformed surfaces touch, the rough one at
+    /// the mean of its asperity heights; `None` of a line without a reference length.
     #[must_use]
     pub fn approach(&self) -> Option<f64> {
         match self.of.shape {
@@ -67,7 +67,7 @@ impl<'c> Solution<'c> {
         }
     }
 
-    /// Approach beyond that of smooth bodies at the same load \[m\].
+    /// Approach less the approach of smooth bodies at the same load \[m\].
     #[must_use]
     pub fn approach_beyond_hertz(&self) -> f64 {
         match self.of.shape {
@@ -113,7 +113,7 @@ impl<'c> Solution<'c> {
     }
 
     /// Half axes of the patch along x and y \[m\], √(5⟨x²⟩) with the pressure as weight (of a line
-    /// 2√⟨x²⟩ and half the length): those of Hertz for smooth bodies.
+    /// 2√⟨x²⟩ and half the length): Hertz' axes for smooth bodies.
     #[must_use]
     pub fn axes(&self) -> [f64; 2] {
         let total: f64 = self.state.pressures.iter().sum();

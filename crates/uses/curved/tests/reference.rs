@@ -1,4 +1,4 @@
-//! Curved contacts beside those of an independent solver, `tests/reference/curved.csv`.
+//! Curved contacts beside the numbers of an independent solver, `tests/reference/curved.csv`.
 #![allow(clippy::unwrap_used, reason = "a test: a panic is the failure")]
 
 use std::f64::consts::PI;

@@ -61,7 +61,7 @@ pub fn shear_flow_factor(film: f64, gamma: f64) -> Result<f64, ContactError> {
 /// smallest γ.
 ///
 /// # Errors
-/// Those of [`shear_flow_factor`].
+/// The errors of [`shear_flow_factor`].
 pub fn friction_shear_factor(film: f64, gamma: f64) -> Result<f64, ContactError> {
     between(film, gamma, FROM_HALF, |Fit { friction: [a, four, five, six], .. }| {
         match film < FRICTION_TO {

@@ -55,7 +55,7 @@ pub const SOURCE: Citation = Citation {
 impl PatirCheng {
     /// A factor at H, the film over σ: a mean of both surfaces weighted by their shares in the mean
     /// square of all heights, which is exact for thick films; of the factors of shear the weighted
-    /// difference, whose error is that of its terms.
+    /// difference, with the error of its terms.
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] for a film or a Peklenik number outside the range of the fit,

@@ -45,7 +45,7 @@ impl Deref for Data {
 }
 
 impl Data {
-    /// The measured values of a table whose columns are named as those of `asperity curve`:
+    /// The measured values of a table whose columns have the names of `asperity curve`:
     /// `load_N`, `pressure_Pa` or `separation_m` from the plane `from`, and any quantities
     /// (`area_m2`, `unloading_stiffness_N_per_m`), each with `<column>_std` if known. A cell may be
     /// empty.
@@ -66,7 +66,7 @@ impl Data {
     /// The measured values of a table, whose messages name the lines of its file.
     ///
     /// # Errors
-    /// Those of [`from_columns`](Self::from_columns).
+    /// The errors of [`from_columns`](Self::from_columns).
     pub fn from_table(table: &MeasuredTable, from: Datum) -> Result<Self, FitError> {
         let lines = table.lines.clone();
         let table = Columns::read(table)?;

@@ -89,7 +89,7 @@ impl<'f> Fit<'f> {
     /// [`run_with`](Self::run_with) without an observer.
     ///
     /// # Errors
-    /// Those of [`run_with`](Self::run_with).
+    /// The errors of [`run_with`](Self::run_with).
     pub fn run(&self, model: &dyn ContactModel) -> Result<Fitted, FitError> {
         self.run_with(model, &mut |_| ControlFlow::Continue(()))
     }

@@ -35,7 +35,7 @@ pub struct Position {
 }
 
 impl Position {
-    /// The position of a row, counted from 0; lines are those of the rows, if they have any.
+    /// The position of a row, counted from 0; rows may have their lines.
     pub(crate) fn of(lines: &[usize], row: usize) -> Self {
         let name = if lines.is_empty() { "row" } else { "line" };
         Self { name, number: lines.get(row).copied().unwrap_or(row + 1) }

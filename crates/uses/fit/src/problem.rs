@@ -16,7 +16,7 @@ use crate::{Data, FitError, Observation, Parameter, Role};
 const COARSE: f64 = 1e-4;
 /// Least residual that is above the errors of the values.
 const MET: f64 = 1e-10;
-/// The residual of a value that the model does not have, larger than that of any start.
+/// The residual of a value that the model does not have, larger than from any start.
 pub(crate) const NO_VALUE: f64 = 1e10;
 
 /// The angle in the middle of the bounds: the solver's first step is a share of the angles, so that
@@ -69,7 +69,7 @@ impl Problem<'_> {
     }
 
     /// Step of the differences, as a coordinate: errors from the third derivative go with its
-    /// square, those of the values, mostly a tenth of the accuracy, with its inverse.
+    /// square, the errors of the values, mostly a tenth of the accuracy, with its inverse.
     fn step(&self) -> f64 {
         (0.1 * self.accuracy()).cbrt()
     }

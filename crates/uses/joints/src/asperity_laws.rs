@@ -39,7 +39,7 @@ pub(crate) struct AsperityLaws {
     pub(crate) unloading: UnloadingLaw,
     /// w_c \[m\]; infinite where nothing yields.
     pub(crate) critical: f64,
-    /// From a law of these contacts to that of an asperity that has several.
+    /// From a law of these contacts to the law of an asperity that has several.
     pub(crate) sum: Option<SumOfContacts>,
     /// Interferences of the extrema of δ \[m\].
     turns: Vec<f64>,

@@ -17,10 +17,9 @@ const LONG: f64 = 0.1;
 /// ```
 /// use asperity::SeparationUnit;
 ///
-/// let found = |x| asperity_inputs::mistaken_unit("gap", x, SeparationUnit::Sigma, 1e-6, "write 2um");
-/// let text = "gap is 2e-6 asperity_height_std (usual: 0.001 to 1000): write 2um";
-/// assert_eq!(found(2e-6).unwrap().to_string(), text);
-/// assert_eq!(found(2.0), None);
+/// let found = |x| asperity_inputs::mistaken_unit("gap", x, SeparationUnit::Sigma, 1e-6, "write
+/// 2um"); let text = "gap is 2e-6 asperity_height_std (usual: 0.001 to 1000): write 2um";
+/// assert_eq!(found(2e-6).unwrap().to_string(), text); assert_eq!(found(2.0), None);
 /// ```
 #[must_use]
 pub fn mistaken_unit(

@@ -44,11 +44,9 @@ pub struct DerivedNumber {
 /// use asperity_core::{Interface, Scene, Surface};
 /// use asperity_judge::Check;
 ///
-/// // The modulus is in GPa.
-/// let scene = Scene::new(Interface::new(116.0, 0.31, 1.12e9), Surface::new(3.6e-4, 1.1e8, 1e-6), 3e-5);
-/// let check = Check::of(&scene)?;
-/// let finding = &check.findings[0];
-/// assert!(finding.is_implausible() && finding.field == "equivalent_modulus");
+/// // The modulus is in GPa. let scene = Scene::new(Interface::new(116.0, 0.31, 1.12e9),
+/// Surface::new(3.6e-4, 1.1e8, 1e-6), 3e-5); let check = Check::of(&scene)?; let finding =
+/// &check.findings[0]; assert!(finding.is_implausible() && finding.field == "equivalent_modulus");
 /// assert!(finding.message().ends_with("116 looks like GPa; 116 GPa is 1.16e11 Pa"));
 /// # Ok::<(), asperity_core::ContactError>(())
 /// ```

@@ -96,8 +96,8 @@ impl ExpectedContact {
     }
 
     /// The ratio of a model to the estimate, or the difference of mean gaps over Sq; `model` is its
-    /// value at [`pressure`](Self::pressure) in the unit of the estimate. `None` without an estimate,
-    /// and where the ratio is not a positive number.
+    /// value at [`pressure`](Self::pressure) in the unit of the estimate. `None` without an
+    /// estimate, and where the ratio is not a positive number.
     #[must_use]
     pub fn ratio(&self, quantity: Compared, model: f64) -> Option<Ratio> {
         let Estimate { value, low, high } = self.estimate(quantity)?;

@@ -99,8 +99,8 @@ impl Contact {
     }
 
     /// Computes now all that later calls at separations from ``low`` to ``high`` need, so that the
-    /// first of them takes no longer than any other and allocates nothing. Exact for Gaussian heights,
-    /// above -64 asperity_height_std.
+    /// first of them takes no longer than any other and allocates nothing. Exact for Gaussian
+    /// heights, above -64 asperity_height_std.
     ///
     /// >>> import asperity
     /// >>> scene = asperity.Scene.parse(asperity.template())

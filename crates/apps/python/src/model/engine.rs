@@ -277,8 +277,8 @@ pub(crate) fn models_among(
     engines.iter().map(model).collect()
 }
 
-/// The answer in a sheet, or the exception of the user's own code where models [among](models_among)
-/// these lack a value.
+/// The answer in a sheet, or the exception of the user's own code where models
+/// [among](models_among) these lack a value.
 pub(crate) fn answered(
     found: Result<(), AnswerError>,
     engines: &Engines,

@@ -36,8 +36,8 @@ pub(crate) trait Averages<'s> {
     /// below 0.
     fn rough_force(&mut self, s: f64) -> Result<Moments, ContactError>;
 
-    /// [`integral`](Self::integral) after [`settle`](Self::settle). Integrals that hold at any s have a method of their
-    /// own: a call that does nothing costs a value 14 instructions of 360.
+    /// [`integral`](Self::integral) after [`settle`](Self::settle). Integrals that hold at any s
+    /// have a method of their own: a call that does nothing costs a value 14 instructions of 360.
     fn settled(
         &mut self,
         base: Quantity,

@@ -48,12 +48,9 @@ impl fmt::Display for Severity {
 /// ```
 /// use asperity_core::{At, Finding};
 ///
-/// let found = Finding::warning("few-contacts", "contacts", 12.0)
-///     .usual([30.0, f64::INFINITY])
-///     .of_model("ke")
-///     .at(At::Load(1.0))
-///     .advice("load more");
-/// assert_eq!(found.to_string(), "ke: contacts is 12 at a load of 1 N (usual: at least 30): load more");
+/// let found = Finding::warning("few-contacts", "contacts", 12.0) .usual([30.0, f64::INFINITY])
+/// .of_model("ke") .at(At::Load(1.0)) .advice("load more"); assert_eq!(found.to_string(), "ke:
+/// contacts is 12 at a load of 1 N (usual: at least 30): load more");
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]

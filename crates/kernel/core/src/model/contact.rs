@@ -226,8 +226,8 @@ impl dyn Contact + '_ {
     /// compiled scenes with Gaussian heights. A search for a load begins at 0.
     ///
     /// # Errors
-    /// Those of [`evaluate_at`](ContactEngine::evaluate_at), but for quantities without a value where
-    /// nothing touches; [`ContactError::OutOfRange`] unless `from` and `to` ascend.
+    /// Those of [`evaluate_at`](ContactEngine::evaluate_at), but for quantities without a value
+    /// where nothing touches; [`ContactError::OutOfRange`] unless `from` and `to` ascend.
     pub fn prepare(&self, from: f64, to: f64) -> Result<(), ContactError> {
         require(from <= to && to.is_finite(), "to", to, "a finite separation, `from` or above,")?;
         let separations: Vec<f64> = ranges(from, to).collect();

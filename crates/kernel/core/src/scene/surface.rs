@@ -136,7 +136,8 @@ impl Surface {
     /// \[derived\]
     ///
     /// # Errors
-    /// [`ContactError`] when an input is not positive; those of [`from_moments`](Self::from_moments).
+    /// [`ContactError`] when an input is not positive; those of
+    /// [`from_moments`](Self::from_moments).
     pub fn from_mean_slope(
         surface_height_std: f64,
         mean_slope: f64,

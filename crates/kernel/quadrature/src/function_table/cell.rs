@@ -109,7 +109,7 @@ impl Source {
             terms = chebyshev_terms(&all);
             (size, tail) = size_and_tail(&terms, parents.size);
         }
-        // Halving shrinks the tail beside a kink, but not that of noise; both end.
+        // Halving shrinks the tail beside a kink, but not the tail of noise; both end.
         let stalled = if tail > 0.5 * parents.tail { parents.stalled + 1 } else { 0 };
         if tail <= self.tolerance * size
             || stalled >= STALLED

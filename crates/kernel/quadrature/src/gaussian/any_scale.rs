@@ -35,7 +35,7 @@ impl AnyScale {
     /// I(s, c) and -dI/ds at a finite s ≤ 1e9 and a positive, finite scale c.
     ///
     /// # Errors
-    /// Those of [`crate::ShiftedGaussian::at`].
+    /// The errors of [`crate::ShiftedGaussian::at`].
     #[inline]
     pub fn at(&self, s: f64, scale: f64) -> Result<Moments, QuadratureError> {
         match self.ready(s, scale) {
@@ -47,7 +47,7 @@ impl AnyScale {
     /// I(s, c) alone; `slope` and its size may be left at 0.
     ///
     /// # Errors
-    /// Those of [`at`](Self::at).
+    /// The errors of [`at`](Self::at).
     #[inline]
     pub fn value(&self, s: f64, scale: f64) -> Result<Moments, QuadratureError> {
         match self.ready(s, scale) {
@@ -59,7 +59,7 @@ impl AnyScale {
     /// Terms of the polynomial that serves s and a scale; 0 where each evaluation integrates anew.
     ///
     /// # Errors
-    /// Those of [`at`](Self::at).
+    /// The errors of [`at`](Self::at).
     pub fn terms(&self, s: f64, scale: f64) -> Result<usize, QuadratureError> {
         Ok(self.build(s, scale)?.map_or(0, |(segment, _)| segment.terms()))
     }

@@ -19,8 +19,8 @@ pub struct ScaledIntegral {
 /// How good all numbers of a column are.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ArrayAccuracy {
-    /// Bound on the relative error of each number: that of the integral, with the rounding of the
-    /// sum s + shift, of the scale exp(-s²/2) and of the product with the factor.
+    /// Bound on the relative error of each number: the error of the integral, with the rounding of
+    /// the sum s + shift, of the scale exp(-s²/2) and of the product with the factor.
     pub error: f64,
     /// Bound on the ratio of an integral of the absolute value to the integral itself, at most
     /// half more than the largest; 1 where nothing cancels.

@@ -155,7 +155,7 @@ mod tests {
         }
         assert!(!accuracy.normal || accuracy.error <= 3.0 * worst.error, "{accuracy:?} {worst:?}");
         let share = accuracy.condition / worst.condition;
-        // That of the whole step where the worst value is.
+        // The bound of the whole step where the worst value is.
         assert!((1.0..VARIED).contains(&share), "{accuracy:?} {worst:?}");
         assert!(accuracy.lowest <= worst.lowest && accuracy.normal <= worst.normal);
         accuracy

@@ -66,7 +66,7 @@ impl Moments {
         Err(QuadratureError::missed(error / usual, asked, 0))
     }
 
-    /// The slope, or that of a linear density with an integral of this size if it is larger; s < 0.
+    /// The slope, or if larger the slope of a linear density with an integral of this size; s < 0.
     fn usual_slope(&self, s: f64) -> f64 {
         self.slope.abs().max(self.sizes[0] / (1.0 - s))
     }

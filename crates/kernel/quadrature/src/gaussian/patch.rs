@@ -8,7 +8,7 @@ use crate::{Density, Goal, PointMasses, QuadratureError};
 /// Scales that are summed together.
 const LANES: usize = 4;
 
-/// Where an integral is asked for: at s, and at a scale of `ratio` times that of the points t.
+/// Where an integral is asked for: at s, and at a scale of `ratio` times the scale of the points t.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Argument {
     s: f64,
@@ -158,7 +158,7 @@ pub(crate) struct Masses {
     pub(crate) masses: Vec<f64>,
     /// The exponent that was left out of all weights.
     depth: f64,
-    /// Their own error, the density's and that of sums, relative.
+    /// The relative errors of the integrals, of the density and of the sums.
     pub(crate) error: f64,
     pub(crate) evaluations: usize,
 }
@@ -281,7 +281,7 @@ impl Masses {
             }
             for (j, r) in ratios.iter().enumerate() {
                 let [a, b, c] = sums[j / LANES].map(|sum| sum[j % LANES]);
-                // z = origin + r y, and dt is r times that of the masses.
+                // z = origin + r y, and dt is r times the step of the masses.
                 let (origin, factor) = if patch.negative() {
                     (x / r, r * (-0.5 * (x / r) * (x / r)).exp())
                 } else {

@@ -46,7 +46,7 @@ impl ShiftedGaussian {
     /// I(s) alone, with `slope` and its size left at 0: about half the work of [`at`](Self::at).
     ///
     /// # Errors
-    /// Those of [`at`](Self::at).
+    /// The errors of [`at`](Self::at).
     #[inline(always)]
     pub fn value(&self, s: f64) -> Result<Moments, QuadratureError> {
         let place = Argument::at(s);
@@ -77,7 +77,7 @@ impl ShiftedGaussian {
     /// Terms of the polynomial that serves s; 0 where each evaluation integrates anew.
     ///
     /// # Errors
-    /// Those of [`at`](Self::at).
+    /// The errors of [`at`](Self::at).
     pub fn terms(&self, s: f64) -> Result<usize, QuadratureError> {
         Ok(self.rules.at(Argument::at(s), &self.task)?.map_or(0, Segment::terms))
     }

@@ -289,7 +289,7 @@ impl<'s> Fitter<'s> {
             if doubt * most.exp() > HIDDEN {
                 return Err(self.source.fault(WeightFault::Pole { at: fit.low }));
             }
-            // The error is that of the series, if there is one; a line may be far worse.
+            // A series, if there is one, sets the error; a line may be far worse.
             let ends = [fit.samples[0].exp(), fit.samples[NODES - 1].exp()];
             let one = fit.error < 1.0;
             let shape = if one { Shape::Series(fit.series) } else { Shape::Linear(ends) };

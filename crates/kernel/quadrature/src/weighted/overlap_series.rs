@@ -100,7 +100,7 @@ impl OverlapSeries {
     /// I(d) and -dI/dd; the bound holds for the slope only if `slope` is true.
     ///
     /// # Errors
-    /// Those of [`Overlap::at`].
+    /// The errors of [`Overlap::at`].
     pub fn at(&self, d: f64, slope: bool) -> Result<Moments, QuadratureError> {
         match self.series(d) {
             Some(series) if self.overlap.check(series.reached, 0, slope).is_ok() => {

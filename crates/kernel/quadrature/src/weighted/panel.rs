@@ -133,7 +133,7 @@ impl Series {
         let series = Self { power: found[0], start: NEAREST, terms: found[1..].to_vec() };
         let off = |(share, wanted): (&f64, &f64)| (series.ln(*share) - wanted).abs();
         let error = fit.shares.iter().zip(samples).map(off).fold(0.0, f64::max);
-        // The error grows on the way to the end, and by that of the power.
+        // The error grows on the way to the end, and with the error of the power.
         let error = 4.0 * error / (1.0 + series.power).clamp(1e-3, 1.0);
         (series, error)
     }

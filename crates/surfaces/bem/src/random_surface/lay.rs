@@ -62,7 +62,7 @@ impl Lay {
         Ok(Some(best.1))
     }
 
-    /// The wave number at which the spectrum is taken: that of the wave across the lay.
+    /// The wave number at which the spectrum is taken: of the wave across the lay.
     pub(super) fn across(&self, [x, y]: [f64; 2]) -> f64 {
         let (sin, cos) = self.direction.sin_cos();
         (self.stretch * (x * cos + y * sin)).hypot(y * cos - x * sin)

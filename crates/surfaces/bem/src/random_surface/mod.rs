@@ -71,7 +71,7 @@ pub struct RandomSurface {
     hurst: f64,
     /// The length of a row \[m\].
     side: f64,
-    /// The length of a row over that of a column.
+    /// The length of a row over the length of a column.
     aspect: f64,
     size: Size,
     lay: Option<Lay>,
@@ -195,7 +195,7 @@ impl RandomSurface {
         }
     }
 
-    /// Another length of the side, or of the rows \[m\]; that of the columns follows.
+    /// Another length of the side, or of the rows \[m\]; the length of the columns follows.
     ///
     /// # Errors
     /// [`BemError::OutOfRange`] when it is not a positive number.
@@ -257,7 +257,7 @@ impl RandomSurface {
     /// The heights on n x n pixels.
     ///
     /// # Errors
-    /// Those of [`map`](Self::map).
+    /// The errors of [`map`](Self::map).
     pub fn heights(&self, n: usize) -> Result<HeightMap, BemError> {
         self.map([n, n])
     }

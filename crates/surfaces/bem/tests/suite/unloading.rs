@@ -242,7 +242,7 @@ fn a_yielded_contact_unloads_along_its_own_path() {
     };
     let errors = [0.08, 0.02, 0.005].map(|share| (slope(share) / stiffness - 1.0).abs());
     assert!(errors[0] > errors[1] && errors[1] > errors[2] && errors[2] < 0.02, "{errors:?}");
-    // On the way back the gap stays behind that of loading: energy is lost.
+    // On the way back the gap is smaller than in loading: energy is lost.
     let at =
         |solver: &BoundaryElements| solver.solve(LoadCase::MeanPressure(0.005 * UNIT)).unwrap();
     let (loading, unloading) = (at(&solver).gap_volume, at(&flat));
