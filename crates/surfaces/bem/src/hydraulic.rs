@@ -7,13 +7,11 @@
 //! A flow per width q = h³ Δp/(12 μ L) defines the hydraulic gap h. Beside it, the effective medium
 //! of Bruggeman depends on the distribution of the gap alone: the mean of (g³ - K)/(g³ + K) is 0.
 
-use std::fmt;
-
 use asperity_core::Finding;
 use asperity_quadrature::bracketed_root;
 
 use crate::height_map::positive;
-use crate::network::Network;
+use crate::network::{Direction, Network};
 use crate::parallel::inside;
 use crate::{BemError, Boundary, BoundaryElements, HeightMap, Solution};
 
@@ -24,26 +22,6 @@ const BALANCE: f64 = 1e-6;
 const USUAL: [f64; 2] = [5e-6, 10.0];
 /// Usual falls of the pressure \[Pa\], from a head of 1 cm of water to the strongest pumps.
 const USUAL_DROP: [f64; 2] = [100.0, 1e9];
-
-/// A direction of flow.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
-    /// Along the rows of the map, from its first column to its last.
-    X,
-    /// Along its columns, from its first row to its last.
-    Y,
-}
-
-impl Direction {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::X, Self::Y];
-}
-
-impl fmt::Display for Direction {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(if *self == Self::X { "x" } else { "y" })
-    }
-}
 
 /// A fluid and the fall of its pressure from one side of a scan to the other.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,15 +5,35 @@
 //! inlet, an outlet, or where the map meets itself. So the four quarters between the middle row and
 //! the middle column, which are most of the work, are reduced once for flows in both directions.
 
+use std::fmt;
 use std::ops::Range;
 use std::sync::OnceLock;
 
-use crate::Direction;
 use crate::front::{Front, Part};
 use crate::parallel::{join, map};
 
 /// Pixels in a block that is not cut.
 const SMALL: usize = 64;
+
+/// A direction of flow.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// Along the rows of the map, from its first column to its last.
+    X,
+    /// Along its columns, from its first row to its last.
+    Y,
+}
+
+impl Direction {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::X, Self::Y];
+}
+
+impl fmt::Display for Direction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(if *self == Self::X { "x" } else { "y" })
+    }
+}
 
 /// Pixels, and the nodes on the four sides of the map: above the first row, below the last, left of
 /// the first column and right of the last.

@@ -5,7 +5,20 @@ use std::f64::consts::{LN_2, PI};
 use crate::patches::patches;
 use asperity_core::{At, Finding};
 
-use crate::{Boundary, HeightMap, LoadCase, note};
+use crate::{Boundary, HeightMap, note};
+
+/// A load case: the prescribed pressure, load or gap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LoadCase {
+    /// Mean pressure on the area of the map \[Pa\].
+    MeanPressure(f64),
+    /// Load on the area of the map \[N\].
+    Load(f64),
+    /// Mean gap \[m\]: distance of the mean planes of the two deformed surfaces.
+    MeanGap(f64),
+    /// [Separation](Solution::separation) \[m\], of any sign.
+    Separation(f64),
+}
 
 /// A solved contact.
 #[derive(Debug, Clone, PartialEq)]

@@ -8,7 +8,7 @@ use crate::half_space::HalfSpace;
 use crate::height_map::positive;
 use crate::iteration::{Goal, Iteration, Problem, Reached, Watch};
 use crate::solution::Fields;
-use crate::{BemError, Boundary, HeightMap, Solution, note};
+use crate::{BemError, Boundary, HeightMap, LoadCase, Solution, note};
 
 /// Trials for a gap.
 const MOST_TRIALS: usize = 60;
@@ -16,19 +16,6 @@ const MOST_TRIALS: usize = 60;
 const HIGHEST: f64 = 1e6;
 /// Error of a gap, in tolerances of the residual times Sq.
 const GAP_ERROR: f64 = 10.0;
-
-/// A load case: the prescribed pressure, load or gap.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum LoadCase {
-    /// Mean pressure on the area of the map \[Pa\].
-    MeanPressure(f64),
-    /// Load on the area of the map \[N\].
-    Load(f64),
-    /// Mean gap \[m\]: distance of the mean planes of the two deformed surfaces.
-    MeanGap(f64),
-    /// [Separation](Solution::separation) \[m\], of any sign.
-    Separation(f64),
-}
 
 /// The progress of a list of contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,8 +1,8 @@
 //! The quantities of a solved contact, by the names that all models share.
 
+use asperity_core::recommended::BEM;
 use asperity_core::{ATOMIC_DISTANCE, At, ContactError, Evaluation, Finding, Quantity, Scene};
 
-use crate::Bem;
 use crate::hydraulic::GapMap;
 use crate::{BemError, BoundaryElements, Direction, Solution};
 
@@ -72,7 +72,7 @@ fn hydraulic<'m>(
     gap_map: impl FnOnce() -> Result<GapMap<'m>, BemError>,
 ) -> Vec<(Quantity, Result<f64, BemError>)> {
     let wanted: Vec<Quantity> =
-        quantities.iter().copied().filter(|q| q.only_of() == Some(Bem::ID)).collect();
+        quantities.iter().copied().filter(|q| q.only_of() == Some(BEM)).collect();
     let Some(map) = (!wanted.is_empty()).then(gap_map) else { return vec![] };
     let of = |map: &GapMap<'_>, quantity| match direction(quantity) {
         Some(direction) => map.hydraulic_gap(direction),
@@ -103,12 +103,12 @@ pub(crate) fn known(quantity: Quantity) -> bool {
     quantity.follows_from_totals()
         || quantity.is_of_joint()
         || is_slope(quantity)
-        || quantity.only_of() == Some(Bem::ID)
+        || quantity.only_of() == Some(BEM)
 }
 
 /// An error of boundary elements as one of the model.
 pub(crate) fn refused(error: BemError) -> ContactError {
-    ContactError::Refused { model: Bem::ID.into(), reason: error.to_string() }
+    ContactError::Refused { model: BEM.into(), reason: error.to_string() }
 }
 
 impl ContactSummary {
@@ -163,7 +163,7 @@ impl ContactSummary {
                 let sum = stiffness * nominal / (2.0 * scene.interface.equivalent_modulus);
                 Evaluation::of_contact_radii(quantity, sum, scene, ERROR)
             }
-            _ if quantity.only_of() == Some(Bem::ID) => {
+            _ if quantity.only_of() == Some(BEM) => {
                 let gap = self.gaps.iter().find(|(known, _)| *known == quantity);
                 let gap = gap.map(|(_, gap)| gap.clone().map_err(refused)).transpose()?;
                 Ok(gap.map(|gap| Evaluation::new(gap, ERROR)))
