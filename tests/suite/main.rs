@@ -3,6 +3,7 @@
 
 mod arrays;
 mod check;
+mod circles;
 mod claims;
 mod contact_radii;
 mod crossings;

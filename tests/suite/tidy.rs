@@ -35,7 +35,7 @@ pub fn root() -> &'static Path {
 }
 
 /// Fails with the list of violations, each with file and line.
-fn assert_none(violations: &[String], rule: &str) {
+pub fn assert_none(violations: &[String], rule: &str) {
     assert!(violations.is_empty(), "{rule}:\n{}", violations.join("\n"));
 }
 

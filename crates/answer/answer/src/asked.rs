@@ -67,7 +67,9 @@ impl Asked {
         let gas = of_gas.then(|| file.needed_gas()).transpose()?;
         let of_model = request.quantities.iter().copied().filter(|q| !q.is_of_film());
         let contacts = asked(|q| *q == Quantity::JointConductancePerArea).then_some(CONTACTS);
-        let of_model: Vec<Quantity> = of_model.chain(contacts).collect();
+        // The separation of such a model is the mean of a gap that is 0 in contact.
+        let closed = (of_gas && !model.validity().asperities).then_some(Quantity::AreaFraction);
+        let of_model: Vec<Quantity> = of_model.chain(contacts).chain(closed).collect();
         // The law of an area that is not asked for is made for it: of inclined contacts, it takes
         // longer than to judge without tables. Boundary elements count no contacts.
         let (asperities, angles) = (model.validity().asperities, model.validity().angles);
@@ -235,22 +237,30 @@ impl Asked {
             }
             return Ok(found);
         }
-        let gap = separation.measured_in(unit, Datum::SurfaceMean, scene)?.value;
+        // Each row of a load with several separations has its own.
+        let at = if self.all { separation.into() } else { given };
+        // The gas conducts through the part of the area that is open, and there the gap is wider.
+        let (mut open, mut of_area) = (1.0, 0.0);
+        if !self.model.validity().asperities {
+            let closed = self.contact.evaluate(Quantity::AreaFraction, at)?;
+            open -= closed.value();
+            of_area = 2.0 * closed.value() * closed.relative_error() / open;
+        }
+        let gap = separation.measured_in(unit, Datum::SurfaceMean, scene)?.value / open;
         let Some(gas) = self.gas.filter(|_| gap > ATOMIC_DISTANCE) else {
             return Err(ContactError::Unsupported {
                 model: self.model.id().into(),
                 what: format!("`{quantity}`: the mean planes are {} m apart", short(gap)),
             });
         };
-        let value = gap_conductance(gas.conductivity, gap, gas.parameter)?;
-        let of_gas = Evaluation::new(value, 1e-15 + error / (gap + gas.parameter));
+        let value = open * gap_conductance(gas.conductivity, gap, gas.parameter)?;
+        let of_gap = error / open / (gap + gas.parameter);
+        let of_gas = Evaluation::new(value, 1e-15 + of_gap + of_area);
         match quantity {
             Quantity::JointConductancePerArea => {
                 if let Some((_, why)) = self.refused.iter().find(|(one, _)| *one == CONTACTS) {
                     return Err(why.clone());
                 }
-                // Each row of a load with several separations has its own.
-                let at = if self.all { separation.into() } else { given };
                 let of_contacts = self.contact.evaluate(CONTACTS, at)?;
                 let sum = of_contacts.value() + of_gas.value();
                 let error = of_contacts.relative_error().max(of_gas.relative_error());

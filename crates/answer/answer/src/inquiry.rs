@@ -72,18 +72,27 @@ impl<'s> Inquiry<'s> {
         };
         let models = self.models.iter().chain(reference);
         sheet.extend(self.file.accepted(self.file.other_joint(models).into_iter().collect()));
-        if let Some(reference) = reference {
-            self.ask(reference, &mut found, sheet, watch, |_, _, line| wanted.push(line))?;
+        let reference = reference.map(|model| self.prepare(model, watch)).transpose()?;
+        if let Some(reference) = &reference {
+            self.ask(reference, &mut found, sheet, |_, _, line| wanted.push(line));
             found.answered = false;
         }
         for model in &self.models {
             let first = sheet.rows.len();
-            let asked = self.ask(model, &mut found, sheet, watch, |sheet, place, line| {
+            let own;
+            let asked = match &reference {
+                Some(reference) if reference.model().id() == model.id() => reference,
+                _ => {
+                    own = self.prepare(model, watch)?;
+                    &own
+                }
+            };
+            self.ask(asked, &mut found, sheet, |sheet, place, line| {
                 let wanted = wanted.get(sheet.rows.len() - first);
                 sheet.rows.push(self.row(place, &line, wanted));
-            })?;
+            });
             if matches!(self.beside, Beside::Intervals) {
-                self.add_corrected(model.id(), &asked, first, sheet, &mut found);
+                self.add_corrected(model.id(), asked, first, sheet, &mut found);
             }
         }
         // All models of one place together.
@@ -156,17 +165,9 @@ impl<'s> Inquiry<'s> {
         row
     }
 
-    /// Passes on the lines of one model, each with the cells of its place.
-    fn ask(
-        &self,
-        model: &Model,
-        found: &mut Found,
-        sheet: &mut Sheet,
-        watch: &dyn Watch,
-        mut deliver: impl FnMut(&mut Sheet, Vec<Cell>, Line),
-    ) -> Result<Asked, AnswerError> {
-        let id = model.id();
-        watch.progress(id);
+    /// Compiles a model for what is asked.
+    fn prepare(&self, model: &Model, watch: &dyn Watch) -> Result<Asked, AnswerError> {
+        watch.progress(model.id());
         let corrected = matches!(self.beside, Beside::Intervals);
         let asked = Asked::new(self.file, model, &self.request, (self.all, corrected));
         let placed = |error| match error {
@@ -176,7 +177,18 @@ impl<'s> Inquiry<'s> {
             },
             error => error,
         };
-        let asked = asked.map_err(placed)?;
+        asked.map_err(placed)
+    }
+
+    /// Passes on the lines of one model, each with the cells of its place.
+    fn ask(
+        &self,
+        asked: &Asked,
+        found: &mut Found,
+        sheet: &mut Sheet,
+        mut deliver: impl FnMut(&mut Sheet, Vec<Cell>, Line),
+    ) {
+        let (model, id) = (asked.model(), asked.model().id());
         found.lacking.extend(asked.refusals().into_iter().map(|reason| (reason, id.into())));
         // At default separations, findings are reported for one typical separation only.
         let usual = [At::from(2.0)];
@@ -223,7 +235,6 @@ impl<'s> Inquiry<'s> {
             found.without_tension.push(id.into());
         }
         found.lacking.extend(blanks.texts(rows).map(|text| (text, id.into())));
-        Ok(asked)
     }
 
     /// The cells of a line's place.

@@ -11,9 +11,9 @@ use serde_json::{Value, json};
 use crate::advice::{Best, ELASTIC, answering};
 use crate::answer::Row;
 use crate::files::{admit, usable};
-use crate::message::{LoadKeys, Message, Solved};
+use crate::message::{Message, Solved};
 use crate::refusal::Refusal;
-use crate::span::{Load, Span};
+use crate::span::{Load, LoadKeys, Span};
 use crate::{
     advice, answer, dialect, fields, law, link, picture, press, read_scene, scan_report,
     surface_keys, table,

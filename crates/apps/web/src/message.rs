@@ -7,6 +7,7 @@ use serde_json::{Map, Value};
 
 use crate::answer::{Column, Known, Row, Source};
 use crate::random::RandomKeys;
+use crate::span::LoadKeys;
 
 /// What the page asks.
 #[derive(Debug, Deserialize)]
@@ -84,18 +85,6 @@ pub(crate) struct Change {
     /// `surface.m0`, `body[2].hardness`.
     pub(crate) path: String,
     pub(crate) value: Option<String>,
-}
-
-/// A load as typed, or as the place of the slider from 0 to 1.
-#[derive(Debug, Clone, Default, Deserialize)]
-#[serde(default)]
-pub(crate) struct LoadKeys {
-    pub(crate) text: String,
-    pub(crate) position: Option<f64>,
-    /// `N` or `Pa`, of a plain number and of the slider.
-    pub(crate) unit: String,
-    /// The unit in which the load is shown, if it is another one.
-    pub(crate) show: Option<String>,
 }
 
 /// What boundary elements gave at a load: values by quantity, with all digits.

@@ -178,7 +178,7 @@ fn readings(
 mod tests {
     use super::*;
     use crate::answer::{compile, rows};
-    use crate::message::LoadKeys;
+    use crate::span::LoadKeys;
 
     fn file() -> SceneFile {
         asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()

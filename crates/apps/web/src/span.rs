@@ -2,9 +2,8 @@
 
 use asperity::{At, Scene};
 use asperity_inputs::{NO_LOAD, converted, notation_hint, quantity};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use crate::message::LoadKeys;
 use crate::refusal::Refusal;
 use crate::shown::{EXACTLY, shown, typed};
 
@@ -55,6 +54,18 @@ impl Span {
     pub(crate) fn solved(self) -> Vec<f64> {
         (3..=8).map(|k| self.pressure(f64::from(k) / 8.0)).collect()
     }
+}
+
+/// A load as typed, or as the place of the slider from 0 to 1.
+#[derive(Debug, Clone, Default, Deserialize)]
+#[serde(default)]
+pub(crate) struct LoadKeys {
+    pub(crate) text: String,
+    pub(crate) position: Option<f64>,
+    /// `N` or `Pa`, of a plain number and of the slider.
+    pub(crate) unit: String,
+    /// The unit in which the load is shown, if it is another one.
+    pub(crate) show: Option<String>,
 }
 
 /// A load on the scene.

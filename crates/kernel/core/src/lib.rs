@@ -30,26 +30,26 @@ mod units;
 #[doc(hidden)]
 pub use asperity_quadrature::{Density, Moments, Piece};
 pub use asperity_quadrature::{QuadratureError, Sampler};
-pub use engine::arrays::FillReport;
 pub use engine::case::Case;
+pub use engine::compile::{compile_laws, contact_of_laws};
 #[doc(hidden)]
 pub use engine::parallel::map_runs;
-pub use engine::plan::{Method, Plan, PlannedPart, Step};
 pub use engine::sweep::Sweep;
 pub use error::ContactError;
 #[doc(hidden)]
 pub use error::{integral_failed, positive};
-pub use finding::{AsWritten, Code, Dialect, Finding, Findings, Severity, short};
+pub use finding::{AsWritten, Code, Dialect, Finding, Findings, Severity};
+pub use heights::HeightDistribution;
+pub use heights::other::{Heights, OtherHeights};
 #[cfg(feature = "statrs")]
 pub use heights::statrs::StandardisedHeights;
 pub use heights::table::TabulatedHeights;
 pub use heights::weibull::WeibullHeights;
-pub use heights::{HeightDistribution, Heights, OtherHeights};
 pub use law::formula::{Formula, FunctionKey, Power};
 pub use law::{Law, Part, Regime, ShareParts, testkit};
 pub use model::asperity_model::AsperityModel;
 pub use model::contact::{Contact, ContactEngine};
-pub use model::contact_model::{ContactModel, SumOfContacts, compile_laws};
+pub use model::contact_model::{ContactModel, SumOfContacts};
 pub use model::described::{Citation, Described, KnownDefect, Provenance, Validity};
 pub use model::variant::{IsVariant, Variant};
 pub use request::quantity_table::Quantity;
@@ -57,6 +57,8 @@ pub use request::separation::{At, Datum, Separation, SeparationUnit};
 pub use request::tolerance::Tolerance;
 pub use request::{Request, linspace};
 pub use response::evaluation::{Evaluation, Share};
+pub use response::fill::FillReport;
+pub use response::plan::{Method, Plan, PlannedPart, Step};
 pub use response::row_check::RowCheck;
 pub use response::{Column, Response};
 pub use scene::asperity::Asperity;
@@ -66,6 +68,6 @@ pub use scene::interface::Interface;
 pub use scene::pair::{Pair, RoughSurface};
 pub use scene::surface::{ProfileMoments, Surface};
 pub use scene::{ATOMIC_DISTANCE, Scene};
-pub use text::{nearest_hint, nearest_name, shortest_digits};
+pub use text::{nearest_hint, nearest_name, short, shortest_digits};
 #[doc(hidden)]
 pub use units::{OTHER_UNITS, UNITS, Units, plain_unit, units_of};

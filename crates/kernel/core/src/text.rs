@@ -46,6 +46,17 @@ pub fn shortest_digits(x: f64) -> String {
     if short == "-0" { "0".into() } else { short.into() }
 }
 
+/// A number with four digits for messages, without an exponent from 1e-3 to 1e5.
+#[must_use]
+pub fn short(x: f64) -> String {
+    let four: f64 = format!("{x:.3e}").parse().unwrap_or(x);
+    match four.abs() {
+        0.0 => "0".into(),
+        size if (1e-3..1e5).contains(&size) => format!("{four}"),
+        _ => format!("{four:e}"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,4 +1,4 @@
-//! The common part of the lateral models: their options, and the part of a law for each regime.
+//! The common part of the lateral models: the part of a law for each regime.
 
 use std::borrow::Cow;
 use std::f64::consts::PI;
@@ -6,93 +6,17 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_core::{Asperity, ContactError, Law, Part, Regime, Tolerance, Validity};
-use serde::{Deserialize, Serialize};
 
 use crate::{
-    AngleDensity, NormalLaw, ObliqueSlip, Response, angle_average, angle_average_of_powers,
+    AngleDensity, Displacement, ForceComponent, LateralOptions, NormalLaw, ObliqueSlip, Response,
+    Stick, angle_average, angle_average_of_powers,
 };
-
-/// The tangential displacements ζ* and ξ* of a contact.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(
-    rename_all = "kebab-case",
-    deny_unknown_fields,
-    expecting = "\"vertical\" or \"none\" or { zeta = 0.1, xi = 0.1 }"
-)]
-pub enum Displacement {
-    /// ζ* = ξ* = λ x: the vertical approach in the normal and in both tangential directions. The
-    /// paper leaves the two open; this closure is derived.
-    #[default]
-    Vertical,
-    /// ζ* = ξ* = 0: no tangential force. K_i keeps its tangential term.
-    None,
-    /// Given, dimensionless, ≥ 0.
-    #[serde(untagged)]
-    Given {
-        /// ζ*.
-        zeta: f64,
-        /// ξ*.
-        xi: f64,
-    },
-}
-
-/// Whether tangential forces are limited by friction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Stick {
-    /// T ≤ μN in every regime.
-    #[default]
-    Clamped,
-    /// The AT paper taken literally: T = 1.5 r ζ* s |sin θ| without limit in e, ep1 and p. Friction
-    /// limits T in ep2 only (its equation 23), and in the elastic-plastic part of Gao.
-    Unlimited,
-}
-
-/// The force that is summed over the contacts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ForceComponent {
-    /// The magnitude of the contact force, as in the paper.
-    #[default]
-    Size,
-    /// The vertical component, N u + T s.
-    Vertical,
-}
-
-/// Options of Gao and AT.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct LateralOptions {
-    /// The density of the contact normals over angles.
-    pub angle_density: AngleDensity,
-    /// The tangential displacements.
-    pub displacement: Displacement,
-    /// Whether tangential forces are limited by friction.
-    pub stick: Stick,
-    /// The force that is summed.
-    pub force: ForceComponent,
-}
 
 /// The validity of a lateral model: inclined contacts have no Hertz limit, and the force may fall.
 #[must_use]
 pub fn lateral_validity(valid_for: &'static str) -> Validity {
     let (force_monotone, hertz_limit) = (false, None);
     Validity { force_monotone, hertz_limit, angles: true, valid_for, ..Validity::default() }
-}
-
-impl LateralOptions {
-    fn check(&self) -> Result<(), ContactError> {
-        self.angle_density.check()?;
-        if let Displacement::Given { zeta, xi } = self.displacement {
-            for (field, value) in [("zeta", zeta), ("xi", xi)] {
-                if !(value >= 0.0 && value.is_finite()) {
-                    let required = "a finite number, at least 0,";
-                    return Err(ContactError::OutOfRange { field, value, required });
-                }
-            }
-        }
-        Ok(())
-    }
 }
 
 /// The laws of a lateral model.

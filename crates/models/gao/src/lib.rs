@@ -8,6 +8,7 @@ mod gauss;
 mod lateral;
 mod nested;
 mod oblique;
+mod options;
 mod pieces;
 mod slip;
 
@@ -19,10 +20,9 @@ use serde::{Deserialize, Serialize};
 
 pub use angles::AngleDensity;
 pub use average::{angle_average, angle_average_of_powers};
-pub use lateral::{
-    Displacement, ForceComponent, Lateral, LateralLaw, LateralOptions, Stick, lateral_validity,
-};
+pub use lateral::{Lateral, LateralLaw, lateral_validity};
 pub use oblique::ObliqueContact;
+pub use options::{Displacement, ForceComponent, LateralOptions, Stick};
 pub use pieces::{ELASTIC_END, NormalLaw, PLASTIC_FROM, friction, regime_range};
 pub use slip::{ObliqueSlip, Response};
 

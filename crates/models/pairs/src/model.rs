@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use asperity_core::{
     Asperity, AsperityModel, Contact, ContactError, ContactModel, HeightDistribution, IsVariant,
-    Law, Request, Scene, SumOfContacts, Variant, compile_laws,
+    Law, Request, Scene, SumOfContacts, Variant, compile_laws, contact_of_laws,
 };
 
 use crate::integral::integral;
@@ -66,5 +66,9 @@ impl ContactModel for AsperityPairs {
 
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         compile_laws(self, scene, request)
+    }
+
+    fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        contact_of_laws(self, scene, request)
     }
 }

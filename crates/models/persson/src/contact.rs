@@ -181,9 +181,9 @@ impl ContactEngine for OnScene {
 mod tests {
     use super::*;
     use crate::PerssonVariance;
-    use asperity_core::{Contact, ContactModel};
+    use asperity_core::ContactModel;
     use asperity_core::{
-        HeightDistribution, Interface, ProfileMoments, Request, Separation, Surface,
+        Contact, HeightDistribution, Interface, ProfileMoments, Request, Separation, Surface,
     };
 
     const MOMENTS: ProfileMoments = ProfileMoments { m0: 1e-12, m2: 2e-4, m4: 3.2e5 };

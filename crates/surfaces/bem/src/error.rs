@@ -1,6 +1,9 @@
 //! Errors: the field, the value found and the value required.
 
-use asperity_core::shortest_digits;
+use asperity_core::{ContactError, shortest_digits};
+
+/// The id of boundary elements as a model.
+pub(crate) const ID: &str = "bem";
 
 /// An error of a height map or of the solution of a contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -138,4 +141,9 @@ pub enum BemError {
     /// The caller's progress function requested a stop, at this load or an earlier one.
     #[error("the solution was stopped by the caller")]
     Cancelled,
+}
+
+/// An error of boundary elements as one of the model.
+pub(crate) fn refused(error: BemError) -> ContactError {
+    ContactError::Refused { model: ID.into(), reason: error.to_string() }
 }

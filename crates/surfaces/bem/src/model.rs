@@ -10,7 +10,8 @@ use asperity_core::{
     Validity,
 };
 
-use crate::summary::{ContactSummary, known, refused};
+use crate::error::{self, refused};
+use crate::summary::{ContactSummary, known};
 use crate::{BemError, BemOptions, BoundaryElements, Continuation, HeightMap, LoadCase, Solution};
 
 /// Loads with a smaller relative difference are equal within rounding.
@@ -31,7 +32,7 @@ pub struct Bem {
 
 impl Bem {
     /// The id of boundary elements in scene files and commands; they need a scan.
-    pub const ID: &str = "bem";
+    pub const ID: &str = error::ID;
 
     /// Names and source of the method.
     pub const SOURCE: Citation = SOURCE;

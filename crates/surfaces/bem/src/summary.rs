@@ -2,6 +2,7 @@
 
 use asperity_core::{ATOMIC_DISTANCE, At, ContactError, Evaluation, Finding, Quantity, Scene};
 
+use crate::error::refused;
 use crate::hydraulic::GapMap;
 use crate::{BemError, BoundaryElements, Direction, Solution};
 
@@ -102,11 +103,6 @@ pub(crate) fn known(quantity: Quantity) -> bool {
         || quantity.is_of_joint()
         || is_slope(quantity)
         || quantity.is_of_map()
-}
-
-/// An error of boundary elements as one of the model.
-pub(crate) fn refused(error: BemError) -> ContactError {
-    ContactError::Refused { model: crate::Bem::ID.into(), reason: error.to_string() }
 }
 
 impl ContactSummary {

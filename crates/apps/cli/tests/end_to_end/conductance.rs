@@ -99,3 +99,25 @@ fn what_a_conductance_needs_is_named() {
     let run = bench.run(gas);
     assert!(run.messages.contains("gap.gas_conductivity"), "{}", run.messages);
 }
+
+/// The mean gap of a pressed scan counts its contacts, through which no gas conducts.
+#[test]
+fn the_gas_in_a_pressed_scan_conducts_through_its_open_part() {
+    let bench = crate::bem::bench();
+    let scene = bench.read("scan.toml")
+        + "
+[gap]
+gas_conductivity = 0.026
+gas_parameter = 0
+";
+    bench.write("gas.toml", &scene);
+    let curve = "curve gas.toml --model bem --pressure 4e8 --format csv --quantity";
+    let gas = bench.data(&format!("{curve} gap-conductance-per-area"));
+    let solved = bench.data("bem gas.toml --pressure 4e8 --format csv");
+    let of = |head: &str| column(&solved, head)[0];
+    let open = 1.0 - of("area_fraction_pixels");
+    let wanted = open * gap_conductance(0.026, of("mean_open_gap_m"), 0.0).unwrap();
+    let found = column(&gas, "gap_conductance_per_area_W_per_m2_per_K")[0];
+    // The area of pixels is that of the contact and of a part of its edge.
+    assert!(open < 0.97 && (found / wanted - 1.0).abs() < 0.02, "{open}: {found} {wanted}");
+}

@@ -3,18 +3,18 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::engine::arrays::FillReport;
 use crate::engine::averages::{all_separations_of_load, separation_at, separation_of_pull_off};
 use crate::engine::case_integrals::CaseIntegrals;
 use crate::engine::list::{FEW, add_row, behind, empty, shares_at};
 use crate::engine::parallel;
 use crate::engine::prepared::Facts;
 use crate::engine::row_integrals::{RowIntegrals, answers};
-use crate::request::separation::SeparationInSigma;
-use crate::response::{Response, respond};
+use crate::model::contact::respond;
+use crate::response::Response;
+use crate::scene::place::SeparationInSigma;
 use crate::{
-    At, Contact, ContactEngine, ContactError, Evaluation, Plan, Quantity, Request, Scene,
-    Separation, Share,
+    At, Contact, ContactEngine, ContactError, Evaluation, FillReport, Plan, Quantity, Request,
+    Scene, Separation, Share,
 };
 
 /// Loads whose separations are kept: more than few are asked of tables.

@@ -5,7 +5,7 @@ use asperity_quadrature::Moments;
 
 use crate::error::integral_failed;
 use crate::request::quantity_table::Derivation;
-use crate::request::separation::SeparationInSigma;
+use crate::scene::place::SeparationInSigma;
 use crate::{At, ContactError, Evaluation, Quantity, Regime, Scene, Tolerance};
 
 /// The integrals at one place.
@@ -38,11 +38,9 @@ impl AtPoint<'_> {
         integrals: &mut impl Integrals,
     ) -> Result<Evaluation, ContactError> {
         match quantity.derivation() {
-            Derivation::Integral(_) => self.value(quantity, integrals),
-            Derivation::IntegralOrSlope(..) if self.own_stiffness => {
-                self.value(quantity, integrals)
-            }
-            Derivation::IntegralOrSlope(_, of) | Derivation::Slope(of) => {
+            Derivation::Integral => self.value(quantity, integrals),
+            Derivation::IntegralOrSlope(_) if self.own_stiffness => self.value(quantity, integrals),
+            Derivation::IntegralOrSlope(of) | Derivation::Slope(of) => {
                 self.slope(quantity, of, integrals)
             }
             Derivation::PerNominalArea(of) => self.total(of, self.scene.nominal_area, integrals),
@@ -66,8 +64,8 @@ impl AtPoint<'_> {
         integrals: &mut impl Integrals,
     ) -> Result<Evaluation, ContactError> {
         let mut total = self.value(quantity.origin(), integrals)?;
-        if let Some(factor) = quantity.radius_factor() {
-            let factor = factor.on(&self.scene.interface, quantity)?;
+        if let Some(property) = quantity.interface_property() {
+            let factor = property.on(&self.scene.interface, quantity)?;
             let (scaled, size) = (total.scaled * factor, total.size * factor);
             total = Evaluation { scaled, size, ..total }.held(total.size, quantity)?;
         }

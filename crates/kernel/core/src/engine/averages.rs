@@ -10,7 +10,7 @@ use crate::engine::inverse::force_at::{Falls, ForceAt};
 use crate::engine::inverse::{CarriedLoad, ForceCurve, check_load};
 use crate::engine::laws::Laws;
 use crate::error::integral_failed;
-use crate::request::separation::{HIGHEST, LOWEST, SeparationInSigma};
+use crate::scene::place::{HIGHEST, LOWEST, SeparationInSigma};
 use crate::{At, ContactError, Quantity, Scene, Share};
 
 /// The integrals of the laws of one scene at any separation.

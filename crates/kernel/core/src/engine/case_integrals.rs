@@ -14,7 +14,7 @@ use crate::engine::law_units::LawUnits;
 use crate::engine::laws::Laws;
 use crate::engine::shapes::{LocalShape, RecentShapes};
 use crate::error::integral_failed;
-use crate::request::separation::SeparationInSigma;
+use crate::scene::place::SeparationInSigma;
 use crate::{At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, Scene};
 
 /// The distance in s within which the bound of an integral holds.

@@ -1,7 +1,7 @@
 //! A model of one asperity averaged over the heights of a scene, for callers: prepared for many
 //! places.
 
-use crate::engine::arrays::{self, FillReport};
+use crate::engine::arrays;
 use crate::engine::averages::{
     all_separations_of_load, separation_of_load, separation_of_pull_off,
 };
@@ -11,8 +11,8 @@ use crate::engine::prepared::Prepared;
 use crate::engine::row_integrals::RowIntegrals;
 use crate::response::Response;
 use crate::{
-    At, Contact, ContactEngine, ContactError, Evaluation, Plan, Quantity, Request, Scene,
-    Separation, Share,
+    At, Contact, ContactEngine, ContactError, Evaluation, FillReport, Plan, Quantity, Request,
+    Scene, Separation, Share,
 };
 
 impl ContactEngine for Prepared {
@@ -49,7 +49,7 @@ impl ContactEngine for Prepared {
         separations: &[f64],
         columns: &mut [&mut [f64]],
     ) -> Result<FillReport, ContactError> {
-        arrays::fill(self, Some(self), quantities, separations, columns)
+        arrays::fill(self, quantities, separations, columns)
     }
 
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {

@@ -26,7 +26,7 @@ pub(crate) struct Laws {
 impl Laws {
     /// Those that these quantities need, and the force's if any place is a load.
     pub(crate) fn new(
-        model: &(impl ContactModel + ?Sized),
+        model: &dyn ContactModel,
         asperity: Asperity,
         quantities: &[Quantity],
         by_load: bool,

@@ -7,8 +7,9 @@ use crate::engine::averages::{Averages, separation_at, shares};
 use crate::engine::parallel;
 use crate::engine::prepared::{Facts, Prepared};
 use crate::engine::row_integrals::{LawIntegral, RowIntegrals, answers};
-use crate::request::separation::SeparationInSigma;
-use crate::response::{Answered, respond};
+use crate::model::contact::respond;
+use crate::response::Answered;
+use crate::scene::place::SeparationInSigma;
 use crate::{
     At, ContactError, Evaluation, OtherHeights, Quantity, Request, Response, Scene, Share,
 };

@@ -26,7 +26,7 @@ impl Facts {
     /// # Errors
     /// For inputs that are missing, and those of [`Laws::new`].
     pub(crate) fn new(
-        model: &(impl ContactModel + ?Sized),
+        model: &dyn ContactModel,
         scene: &Scene,
         request: &Request,
     ) -> Result<Arc<Self>, ContactError> {

@@ -5,8 +5,8 @@ use asperity_quadrature::Moments;
 
 use crate::engine::at_point::{AtPoint, Integrals};
 use crate::engine::averages::{Averages, separation_at, shares};
-use crate::request::separation::SeparationInSigma;
 use crate::response::Answered;
+use crate::scene::place::SeparationInSigma;
 use crate::{At, ContactError, Evaluation, Quantity, Regime};
 
 /// Number of quantities with laws.

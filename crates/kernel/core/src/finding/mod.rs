@@ -13,6 +13,7 @@ use serde::Serialize;
 pub use self::codes::Code;
 pub use self::collection::Findings;
 pub use self::dialect::{AsWritten, Dialect};
+pub(crate) use crate::text::short;
 use crate::{At, Quantity};
 
 /// Severity of a finding, the most severe first.
@@ -331,16 +332,5 @@ impl Finding {
             [_, to] if to.is_finite() => format!(" (usual: at most {})", short(to)),
             _ => String::new(),
         }
-    }
-}
-
-/// A number with four digits for messages, without an exponent from 1e-3 to 1e5.
-#[must_use]
-pub fn short(x: f64) -> String {
-    let four: f64 = format!("{x:.3e}").parse().unwrap_or(x);
-    match four.abs() {
-        0.0 => "0".into(),
-        size if (1e-3..1e5).contains(&size) => format!("{four}"),
-        _ => format!("{four:e}"),
     }
 }

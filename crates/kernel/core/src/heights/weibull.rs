@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use crate::error::require;
-use crate::heights::OtherHeights;
+use crate::heights::other::OtherHeights;
 use crate::{ContactError, Heights};
 
 /// 1/k at the ends of [`WeibullHeights::SKEWNESS`].

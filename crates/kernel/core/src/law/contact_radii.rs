@@ -15,59 +15,40 @@
 
 use std::f64::consts::PI;
 
+use crate::request::quantity_table::InterfaceProperty;
 use crate::{ContactError, Formula, Interface, Law, Power, Quantity};
 
-/// A property of the interface that turns S into a stiffness or a conductance.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct RadiusFactor {
-    /// The factor, if the interface has the property.
-    factor: fn(&Interface) -> Option<f64>,
-    /// The property, as in scene files, and whose it may be.
-    pub(crate) field: &'static str,
-    whose: &'static str,
-}
+impl InterfaceProperty {
+    /// The property, as in scene files.
+    pub(crate) fn field(self) -> &'static str {
+        match self {
+            Self::Modulus => "equivalent_modulus",
+            Self::ShearModulus => "equivalent_shear_modulus",
+            Self::ThermalConductivity => "thermal_conductivity",
+            Self::ElectricalResistivity => "electrical_resistivity",
+        }
+    }
 
-const EITHER: &str = " (that of the interface, or those of both bodies)";
-
-/// 2 E.
-pub(crate) const UNLOADING: RadiusFactor = RadiusFactor {
-    factor: |interface| Some(2.0 * interface.equivalent_modulus),
-    field: "equivalent_modulus",
-    whose: "",
-};
-/// 8 G.
-pub(crate) const SHEAR: RadiusFactor = RadiusFactor {
-    factor: |interface| interface.equivalent_shear_modulus.map(|shear| 8.0 * shear),
-    field: "equivalent_shear_modulus",
-    whose: "",
-};
-/// 2 k.
-pub(crate) const THERMAL: RadiusFactor = RadiusFactor {
-    factor: |interface| interface.thermal_conductivity.map(|conductivity| 2.0 * conductivity),
-    field: "thermal_conductivity",
-    whose: EITHER,
-};
-/// 2/ρ.
-pub(crate) const ELECTRICAL: RadiusFactor = RadiusFactor {
-    factor: |interface| interface.electrical_resistivity.map(|resistivity| 2.0 / resistivity),
-    field: "electrical_resistivity",
-    whose: EITHER,
-};
-
-impl RadiusFactor {
-    /// The factor of S in `quantity`.
+    /// The factor of S in `quantity`: 2 E, 8 G, 2 k or 2/ρ.
     pub(crate) fn on(self, interface: &Interface, quantity: Quantity) -> Result<f64, ContactError> {
-        let Self { factor, field, whose } = self;
+        let either = " (that of the interface, or those of both bodies)";
+        let (factor, whose) = match self {
+            Self::Modulus => (Some(2.0 * interface.equivalent_modulus), ""),
+            Self::ShearModulus => (interface.equivalent_shear_modulus.map(|g| 8.0 * g), ""),
+            Self::ThermalConductivity => (interface.thermal_conductivity.map(|k| 2.0 * k), either),
+            Self::ElectricalResistivity => {
+                (interface.electrical_resistivity.map(|rho| 2.0 / rho), either)
+            }
+        };
         let reason = || format!("`{quantity}`{whose} needs it");
-        let missing = || ContactError::Missing { field, reason: reason() };
-        factor(interface).ok_or_else(missing)
+        factor.ok_or_else(|| ContactError::Missing { field: self.field(), reason: reason() })
     }
 }
 
 /// Refuses a quantity if the interface lacks an input for it.
 pub(crate) fn check(quantities: &[Quantity], interface: &Interface) -> Result<(), ContactError> {
-    quantities.iter().try_for_each(|quantity| match quantity.radius_factor() {
-        Some(factor) => factor.on(interface, *quantity).map(drop),
+    quantities.iter().try_for_each(|quantity| match quantity.interface_property() {
+        Some(property) => property.on(interface, *quantity).map(drop),
         None => Ok(()),
     })
 }

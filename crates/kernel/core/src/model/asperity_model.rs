@@ -66,18 +66,21 @@ pub(crate) fn law(
     quantity: Quantity,
     tolerance: Tolerance,
 ) -> Result<Law, ContactError> {
-    let unsupported = |what| ContactError::Unsupported { model: id.into(), what };
-    let law = match quantity.derivation() {
-        Derivation::Integral(law) => Some(law(model, asperity, tolerance)?),
-        Derivation::IntegralOrSlope(law, _) => law(model, asperity, tolerance)?,
-        Derivation::Map => {
+    let unsupported = |what| Err(ContactError::Unsupported { model: id.into(), what });
+    let lacking = || ContactError::NoLaw { model: id.into(), quantity };
+    match (quantity, quantity.derivation()) {
+        (Quantity::Force, _) => model.force(asperity, tolerance),
+        (Quantity::Area, _) => model.area(asperity, tolerance),
+        (Quantity::Stiffness, _) => model.stiffness(asperity, tolerance)?.ok_or_else(lacking),
+        (Quantity::Contacts, _) => model.contacts(asperity, tolerance),
+        (Quantity::ContactRadiusSum, _) => model.contact_radius(asperity, tolerance),
+        (_, Derivation::Map) => {
             let what = "which follows from a map of the gap; use boundary elements";
-            return Err(unsupported(format!("`{quantity}`, {what}")));
+            unsupported(format!("`{quantity}`, {what}"))
         }
-        Derivation::Flow | Derivation::Gap => {
-            return Err(unsupported(format!("`{quantity}`, which follows from the film alone")));
+        (_, Derivation::Flow | Derivation::Gap) => {
+            unsupported(format!("`{quantity}`, which follows from the film alone"))
         }
-        _ => None,
-    };
-    law.ok_or_else(|| ContactError::NoLaw { model: id.into(), quantity })
+        _ => Err(lacking()),
+    }
 }

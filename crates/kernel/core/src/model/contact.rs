@@ -2,13 +2,13 @@
 
 use std::fmt;
 
-use crate::engine::arrays::{self, FillReport};
 use crate::engine::parallel;
 use crate::error::require;
-use crate::response::{Answered, Response, respond};
+use crate::response::row_check::RowCheck;
+use crate::response::{Answered, Response, fill};
 use crate::{
-    At, ContactError, Datum, Evaluation, Finding, Plan, Quantity, Request, Scene, Separation,
-    SeparationUnit, Share,
+    At, Column, ContactError, Datum, Evaluation, FillReport, Finding, Plan, Quantity, Request,
+    Scene, Separation, SeparationUnit, Share,
 };
 
 /// A model applied to a scene: shared by threads, for many evaluations.
@@ -78,7 +78,8 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
         separations: &[f64],
         columns: &mut [&mut [f64]],
     ) -> Result<FillReport, ContactError> {
-        arrays::fill(self, None, quantities, separations, columns)
+        let one = |quantity, at| self.evaluate_at(quantity, at);
+        fill::fill((|_, _: &[f64], _: &mut [f64]| None, one), quantities, separations, columns)
     }
 
     /// All separations at which the force is `load` \[N\], ascending, each with its unit and plane
@@ -193,6 +194,48 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
     fn unsupported(&self, what: &str) -> ContactError {
         ContactError::Unsupported { model: self.model().into(), what: what.into() }
     }
+}
+
+/// Rows that are held before they join their columns.
+const ROWS_PER_BLOCK: usize = 8192;
+
+/// Puts columns of runs of rows together, with their findings. `answered` may return one column
+/// more than there are quantities: the separations, in σ_z from the mean of the asperity heights.
+/// `behind` returns the value whose sign a logarithm or share hides, where it may be negative.
+pub(crate) fn respond(
+    contact: &(impl ContactEngine + ?Sized),
+    request: &Request,
+    answered: impl Fn(&[At]) -> Vec<Vec<Answered>>,
+    behind: impl Fn(Quantity, At) -> Option<f64>,
+) -> Response {
+    let (quantities, at) = (&request.quantities, &request.at);
+    let new = |_| Vec::with_capacity(at.len());
+    let mut columns: Vec<Vec<Answered>> = (0..=quantities.len()).map(new).collect();
+    for places in at.chunks(ROWS_PER_BLOCK) {
+        for (column, rows) in columns.iter_mut().zip(answered(places)) {
+            column.extend(rows);
+        }
+    }
+    let mut known = columns.pop().into_iter().flatten();
+    let carried = |at: At| contact.separation_at(at.load(contact.scene()).unwrap_or(f64::NAN));
+    let separation = |&at: &At| match (at, known.next()) {
+        (At::Separation(given), _) => Ok(given),
+        (_, Some(found)) => found.map(|found| Separation::sigmas(found.value())),
+        (at, None) => carried(at).map_err(Box::new),
+    };
+    let separations = at.iter().map(separation).collect();
+    let column = |(&quantity, rows)| Column { quantity, rows };
+    let columns: Vec<Column> = quantities.iter().zip(columns).map(column).collect();
+    let mut seen = RowCheck::new(contact.is_adhesive());
+    for column in &columns {
+        let quantity = column.quantity;
+        for (row, &at) in column.rows.iter().zip(at) {
+            let row = row.as_ref().map_err(|error| &**error);
+            seen.check(quantity, row, at, contact.scene(), |of| behind(of, at));
+        }
+    }
+    let (model, warnings) = (contact.model().to_string(), seen.finish(contact.model()));
+    Response { model, at: at.clone(), separations, columns, warnings }
 }
 
 /// Separations \[σ_z\] so dense that every range with an integral of its own holds one: a unit

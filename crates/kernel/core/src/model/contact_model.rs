@@ -2,9 +2,6 @@
 
 use std::borrow::Cow;
 
-use crate::engine::alone::Alone;
-use crate::engine::list::is_short;
-use crate::engine::prepared::{Facts, Prepared};
 use crate::model::asperity_model;
 use crate::{
     Asperity, AsperityModel, Contact, ContactError, Described, Law, Quantity, Request, Response,
@@ -72,10 +69,6 @@ pub trait ContactModel: Described {
     /// # Errors
     /// Those of [`compile`](Self::compile).
     fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        if self.asperity_model().is_some() && is_short(request, scene) {
-            let scene = self.scene_of(scene)?;
-            return Ok(Box::new(Alone::new(Facts::new(self, &scene, request)?, &scene)?));
-        }
         self.compile(scene, request)
     }
 
@@ -86,28 +79,5 @@ pub trait ContactModel: Described {
     /// stands in that row of the response.
     fn solve(&self, scene: &Scene, request: &Request) -> Result<Response, ContactError> {
         Ok(self.contact(scene, request)?.respond(request))
-    }
-}
-
-/// [`ContactModel::compile`] of a model that averages the laws of asperities over heights.
-///
-/// # Errors
-/// Those of [`ContactModel::compile`].
-pub fn compile_laws(
-    model: &(impl ContactModel + ?Sized),
-    scene: &Scene,
-    request: &Request,
-) -> Result<Box<dyn Contact>, ContactError> {
-    let scene = model.scene_of(scene)?;
-    Ok(Box::new(Prepared::new(Facts::new(model, &scene, request)?, &scene)?))
-}
-
-impl<M: AsperityModel> ContactModel for M {
-    fn asperity_model(&self) -> Option<&dyn AsperityModel> {
-        Some(self)
-    }
-
-    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        compile_laws(self, scene, request)
     }
 }

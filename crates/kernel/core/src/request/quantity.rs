@@ -3,8 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::law::contact_radii::RadiusFactor;
-use crate::request::quantity_table::Derivation;
+use crate::request::quantity_table::{Derivation, InterfaceProperty};
 use crate::{ContactError, Evaluation, Quantity, Regime, nearest_name};
 
 impl Quantity {
@@ -68,8 +67,8 @@ impl Quantity {
     /// The quantity that gives this one its sign: the force for a pressure or its logarithm.
     pub(crate) fn origin(self) -> Self {
         match self.derivation() {
-            Derivation::Integral(_)
-            | Derivation::IntegralOrSlope(..)
+            Derivation::Integral
+            | Derivation::IntegralOrSlope(_)
             | Derivation::Slope(_)
             | Derivation::Flow
             | Derivation::Gap
@@ -111,14 +110,14 @@ impl Quantity {
     /// sum of the contact radii.
     #[must_use]
     pub fn is_of_joint(self) -> bool {
-        self.radius_factor().is_some()
+        self.interface_property().is_some()
     }
 
     /// The key of the property of the interface that this quantity needs, for a stiffness or a
     /// conductance of a joint.
     #[must_use]
     pub fn property(self) -> Option<&'static str> {
-        self.radius_factor().map(|factor| factor.field)
+        self.interface_property().map(InterfaceProperty::field)
     }
 
     /// Whether the quantity is of flows through a map of the gap, which boundary elements have and
@@ -135,10 +134,10 @@ impl Quantity {
     }
 
     /// The property of the interface that this quantity needs, for a stiffness or a conductance.
-    pub(crate) fn radius_factor(self) -> Option<RadiusFactor> {
+    pub(crate) fn interface_property(self) -> Option<InterfaceProperty> {
         match self.derivation() {
-            Derivation::ContactRadii(factor) => Some(factor),
-            Derivation::PerNominalArea(of) => of.radius_factor(),
+            Derivation::ContactRadii(property) => Some(property),
+            Derivation::PerNominalArea(of) => of.interface_property(),
             _ => None,
         }
     }
@@ -147,9 +146,9 @@ impl Quantity {
     /// stiffness.
     pub(crate) fn laws(self, own_stiffness: bool) -> impl Iterator<Item = Self> {
         let (first, second) = match self.derivation() {
-            Derivation::Integral(_) => (self, None),
-            Derivation::IntegralOrSlope(..) if own_stiffness => (self, None),
-            Derivation::IntegralOrSlope(_, of) | Derivation::Slope(of) => (of, None),
+            Derivation::Integral => (self, None),
+            Derivation::IntegralOrSlope(_) if own_stiffness => (self, None),
+            Derivation::IntegralOrSlope(of) | Derivation::Slope(of) => (of, None),
             Derivation::Ratio(above, below) => (above, Some(below)),
             _ => (self.origin(), None),
         };
@@ -158,7 +157,7 @@ impl Quantity {
 
     /// Whether this quantity is the slope of an integral.
     pub(crate) fn is_slope(self) -> bool {
-        matches!(self.derivation(), Derivation::IntegralOrSlope(..) | Derivation::Slope(_))
+        matches!(self.derivation(), Derivation::IntegralOrSlope(_) | Derivation::Slope(_))
     }
 }
 

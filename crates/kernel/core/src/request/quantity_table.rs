@@ -2,25 +2,31 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::law::contact_radii::{ELECTRICAL, RadiusFactor, SHEAR, THERMAL, UNLOADING};
-use crate::{Asperity, AsperityModel, ContactError, Law, Regime, Tolerance};
+use crate::Regime;
 
-/// A law of a model, or whether it has one.
-type Lookup<T> = fn(&dyn AsperityModel, &Asperity, Tolerance) -> Result<T, ContactError>;
+/// A property of the interface that turns the sum of the contact radii into a stiffness or a
+/// conductance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum InterfaceProperty {
+    Modulus,
+    ShearModulus,
+    ThermalConductivity,
+    ElectricalResistivity,
+}
 
 /// How a quantity follows from the laws of one asperity.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Derivation {
-    /// The integral of this law over the heights.
-    Integral(Lookup<Law>),
+    /// The integral of the law of this quantity over the heights.
+    Integral,
     /// The same for models with such a law; for others the [`Slope`](Self::Slope) of this.
-    IntegralOrSlope(Lookup<Option<Law>>, Quantity),
+    IntegralOrSlope(Quantity),
     /// -d/dd of an integral.
     Slope(Quantity),
     /// Over the nominal area.
     PerNominalArea(Quantity),
     /// The sum of the contact radii times a property of the interface.
-    ContactRadii(RadiusFactor),
+    ContactRadii(InterfaceProperty),
     /// One integral over another.
     Ratio(Quantity, Quantity),
     /// The natural logarithm of the absolute value of an integral.
@@ -82,7 +88,7 @@ macro_rules! quantities {
             /// Number of quantities that are integrals of laws.
             pub(crate) const INTEGRALS: usize = 0 $(+ {
                 let derivation: Derivation = $derivation;
-                matches!(derivation, Derivation::Integral(_) | Derivation::IntegralOrSlope(..)) as usize
+                matches!(derivation, Derivation::Integral | Derivation::IntegralOrSlope(_)) as usize
             })*;
 
             pub(crate) const fn entry(self) -> &'static Entry {
@@ -108,18 +114,18 @@ quantities! {
     Force {
         name: "force", symbol: "F", unit: "N", label: "force",
         definition: "Normal force between the surfaces, over the whole nominal area.",
-        derivation: Derivation::Integral(|m, a, t| m.force(a, t)),
+        derivation: Derivation::Integral,
     }
     Area {
         name: "area", symbol: "A", unit: "m2", label: "real contact area",
         definition: "Real contact area: the sum of the areas of all contacts.",
-        derivation: Derivation::Integral(|m, a, t| m.area(a, t)),
+        derivation: Derivation::Integral,
     }
     Stiffness {
         name: "stiffness", symbol: "K", unit: "N/m", label: "stiffness",
         definition: "Stiffness as the model's paper defines it: the tangent for models of upright \
             asperities, an average of asperity stiffnesses for Gao and AT.",
-        derivation: Derivation::IntegralOrSlope(|m, a, t| m.stiffness(a, t), Quantity::Force),
+        derivation: Derivation::IntegralOrSlope(Quantity::Force),
     }
     Tangent {
         name: "tangent", symbol: "-dF/dd", unit: "N/m", label: "tangent stiffness",
@@ -140,13 +146,13 @@ quantities! {
     Contacts {
         name: "contacts", symbol: "N", unit: "", label: "number of contacts",
         definition: "Number of asperities in contact.",
-        derivation: Derivation::Integral(|m, a, t| m.contacts(a, t)),
+        derivation: Derivation::Integral,
     }
     /// Needs upright asperities with circular contacts.
     ContactRadiusSum {
         name: "contact-radius-sum", symbol: "sum a", unit: "m", label: "sum of contact radii",
         definition: "Sum of the radii a = (A/pi)^(1/2) of all contacts.",
-        derivation: Derivation::Integral(|m, a, t| m.contact_radius(a, t)),
+        derivation: Derivation::Integral,
     }
     /// Small vibrations, ultrasound and modal tests measure this slope. First loading follows the
     /// tangent, which is smaller where asperities yield. For contacts with adhesion (JKR) it holds
@@ -154,27 +160,27 @@ quantities! {
     UnloadingStiffness {
         name: "unloading-stiffness", symbol: "K_u", unit: "N/m", label: "unloading stiffness",
         definition: "Stiffness at the start of elastic unloading, 2 E times the sum of contact radii.",
-        derivation: Derivation::ContactRadii(UNLOADING),
+        derivation: Derivation::ContactRadii(InterfaceProperty::Modulus),
     }
     /// Needs the equivalent shear modulus.
     TangentialStiffness {
         name: "tangential-stiffness", symbol: "K_t", unit: "N/m", label: "tangential stiffness",
         definition: "Tangential stiffness in full stick (Mindlin), 8 G times the sum of contact radii.",
-        derivation: Derivation::ContactRadii(SHEAR),
+        derivation: Derivation::ContactRadii(InterfaceProperty::ShearModulus),
     }
     /// Needs the thermal conductivity.
     ThermalConductance {
         name: "thermal-conductance", symbol: "C_t", unit: "W/K", label: "thermal conductance",
         definition: "Thermal conductance of contacts far from each other, 2 k times the sum of \
             contact radii.",
-        derivation: Derivation::ContactRadii(THERMAL),
+        derivation: Derivation::ContactRadii(InterfaceProperty::ThermalConductivity),
     }
     /// Needs the electrical resistivity.
     ElectricalConductance {
         name: "electrical-conductance", symbol: "C_e", unit: "S", label: "electrical conductance",
         definition: "Electrical conductance of contacts far from each other, 2/rho times the sum of \
             contact radii.",
-        derivation: Derivation::ContactRadii(ELECTRICAL),
+        derivation: Derivation::ContactRadii(InterfaceProperty::ElectricalResistivity),
     }
     ThermalConductancePerArea {
         name: "thermal-conductance-per-area", symbol: "C_t/A_n", unit: "W/m2/K",

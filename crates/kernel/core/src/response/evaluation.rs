@@ -6,7 +6,7 @@ use asperity_quadrature::Moments;
 use serde::Serialize;
 
 use crate::request::quantity_table::Derivation;
-use crate::request::separation::SeparationInSigma;
+use crate::scene::place::SeparationInSigma;
 use crate::{ContactError, Quantity, Regime, Scene};
 
 /// A value that may be too small for a plain number, with a bound on its error.
@@ -49,7 +49,7 @@ impl Evaluation {
     ) -> Option<Self> {
         let of = |quantity| Self::of_totals(quantity, (force, area), nominal_area, error);
         match quantity.derivation() {
-            Derivation::Integral(_) => {
+            Derivation::Integral => {
                 let totals = [(Quantity::Force, force), (Quantity::Area, area)];
                 let found = totals.into_iter().find(|(known, _)| *known == quantity);
                 found.map(|(_, value)| Self::new(value, error))
@@ -80,10 +80,10 @@ impl Evaluation {
         scene: &Scene,
         error: f64,
     ) -> Result<Option<Self>, ContactError> {
-        let Some(factor) = quantity.radius_factor() else { return Ok(None) };
+        let Some(property) = quantity.interface_property() else { return Ok(None) };
         let per_area = matches!(quantity.derivation(), Derivation::PerNominalArea(_));
         let area = if per_area { scene.nominal_area } else { 1.0 };
-        let factor = factor.on(&scene.interface, quantity)?;
+        let factor = property.on(&scene.interface, quantity)?;
         Ok(Some(Self::new(sum * factor / area, error)))
     }
 

@@ -1,12 +1,13 @@
 //! Answers to requests.
 
 pub(crate) mod evaluation;
+pub(crate) mod fill;
+pub(crate) mod plan;
 pub(crate) mod row_check;
 
 use serde::Serialize;
 
-use self::row_check::RowCheck;
-use crate::{At, ContactEngine, ContactError, Evaluation, Finding, Quantity, Request, Separation};
+use crate::{At, ContactError, Evaluation, Finding, Quantity, Separation};
 
 /// The values of one quantity, in the order of the request's places.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -82,45 +83,3 @@ impl Response {
 
 /// A value, or the reason why there is none.
 pub(crate) type Answered = Result<Evaluation, Box<ContactError>>;
-
-/// Rows that are held before they join their columns.
-const ROWS_PER_BLOCK: usize = 8192;
-
-/// Puts columns of runs of rows together, with their findings. `answered` may return one column
-/// more than there are quantities: the separations, in σ_z from the mean of the asperity heights.
-/// `behind` returns the value whose sign a logarithm or share hides, where it may be negative.
-pub(crate) fn respond(
-    contact: &(impl ContactEngine + ?Sized),
-    request: &Request,
-    answered: impl Fn(&[At]) -> Vec<Vec<Answered>>,
-    behind: impl Fn(Quantity, At) -> Option<f64>,
-) -> Response {
-    let (quantities, at) = (&request.quantities, &request.at);
-    let new = |_| Vec::with_capacity(at.len());
-    let mut columns: Vec<Vec<Answered>> = (0..=quantities.len()).map(new).collect();
-    for places in at.chunks(ROWS_PER_BLOCK) {
-        for (column, rows) in columns.iter_mut().zip(answered(places)) {
-            column.extend(rows);
-        }
-    }
-    let mut known = columns.pop().into_iter().flatten();
-    let carried = |at: At| contact.separation_at(at.load(contact.scene()).unwrap_or(f64::NAN));
-    let separation = |&at: &At| match (at, known.next()) {
-        (At::Separation(given), _) => Ok(given),
-        (_, Some(found)) => found.map(|found| Separation::sigmas(found.value())),
-        (at, None) => carried(at).map_err(Box::new),
-    };
-    let separations = at.iter().map(separation).collect();
-    let column = |(&quantity, rows)| Column { quantity, rows };
-    let columns: Vec<Column> = quantities.iter().zip(columns).map(column).collect();
-    let mut seen = RowCheck::new(contact.is_adhesive());
-    for column in &columns {
-        let quantity = column.quantity;
-        for (row, &at) in column.rows.iter().zip(at) {
-            let row = row.as_ref().map_err(|error| &**error);
-            seen.check(quantity, row, at, contact.scene(), |of| behind(of, at));
-        }
-    }
-    let (model, warnings) = (contact.model().to_string(), seen.finish(contact.model()));
-    Response { model, at: at.clone(), separations, columns, warnings }
-}

@@ -5,6 +5,7 @@ pub(crate) mod body;
 pub(crate) mod hardness;
 pub(crate) mod interface;
 pub(crate) mod pair;
+pub(crate) mod place;
 pub(crate) mod surface;
 
 use serde::{Deserialize, Serialize};

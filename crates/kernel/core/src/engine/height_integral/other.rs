@@ -5,7 +5,7 @@ use std::sync::Arc;
 use asperity_quadrature::{Moments, QuadratureError};
 
 use super::overlap::{Extent, OverlapIntegral};
-use crate::heights::OtherHeights;
+use crate::heights::other::OtherHeights;
 
 /// Any other heights: in metres, or in units of σ_z.
 #[derive(Debug)]

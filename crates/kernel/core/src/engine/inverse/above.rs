@@ -12,7 +12,7 @@ use asperity_quadrature::Moments;
 
 use crate::ContactError;
 use crate::engine::inverse::{CarriedLoad, ForceCurve};
-use crate::request::separation::SeparationInSigma;
+use crate::scene::place::SeparationInSigma;
 
 /// Tolerance of the integrals between which bounds are drawn.
 pub(crate) const ROUGH: f64 = 1e-3;

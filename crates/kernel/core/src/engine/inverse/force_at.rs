@@ -8,7 +8,7 @@ use crate::engine::height_integral::HeightIntegral;
 use crate::engine::inverse::interval::{Level, Sample};
 use crate::engine::inverse::variation::Variation;
 use crate::error::integral_failed;
-use crate::request::separation::LOWEST;
+use crate::scene::place::LOWEST;
 use crate::{ContactError, HeightDistribution, Law, OtherHeights, Quantity, Scene, Tolerance};
 
 /// Tolerance of the variation; bounds include its error.

@@ -6,7 +6,7 @@ use crate::ContactError;
 use crate::engine::inverse::force_at::ForceAt;
 use crate::engine::inverse::interval::Level;
 use crate::error::{positive, require};
-use crate::request::separation::{HIGHEST, LOWEST, SeparationInSigma};
+use crate::scene::place::{HIGHEST, LOWEST, SeparationInSigma};
 
 pub(crate) mod above;
 pub(crate) mod force_at;

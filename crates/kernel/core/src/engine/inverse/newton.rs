@@ -4,7 +4,7 @@ use asperity_quadrature::Moments;
 
 use crate::engine::inverse::search::unresolved;
 use crate::engine::inverse::{ALL_TOUCH, CarriedLoad, ForceCurve, place};
-use crate::request::separation::{HIGHEST, LOWEST, SeparationInSigma};
+use crate::scene::place::{HIGHEST, LOWEST, SeparationInSigma};
 use crate::{At, ContactError};
 
 /// Newton's steps end after about five; bracketed ones, at the worst, after about sixty.

@@ -6,7 +6,7 @@ use crate::ContactError;
 use crate::engine::inverse::ALL_TOUCH;
 use crate::engine::inverse::force_at::{ForceAt, Landmark};
 use crate::engine::inverse::interval::{Course, Interval, Level, Sample};
-use crate::request::separation::{HIGHEST, LOWEST};
+use crate::scene::place::{HIGHEST, LOWEST};
 
 /// Separations at which a search gives up.
 const MOST: usize = 4000;
