@@ -231,8 +231,9 @@ quantities! {
     GapConductancePerArea {
         name: "gap-conductance-per-area", symbol: "h_g", unit: "W/m2/K",
         label: "conductance of the gas per area",
-        definition: "Thermal conductance of the gas between the mean planes over the nominal area, \
-            k_g/(gap + gas parameter).",
+        definition: "Thermal conductance of the gas over the nominal area, k_g/(gap + gas parameter) \
+            between the mean planes; of whole-surface models with the mean open gap, times the open \
+            share of the area.",
         derivation: Derivation::Gap,
     }
     JointConductancePerArea {
