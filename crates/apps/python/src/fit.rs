@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use asperity::Severity;
 use asperity::fit::{DataColumn, FitError, MeasuredTable, rank};
+use asperity::{Finding, Severity};
 use asperity_answer::Watch;
 use asperity_inputs::{Free, SceneError, read_measurements};
 use pyo3::prelude::*;
 
 use crate::ask::long::run_interruptible;
-use crate::convert::{Object, object, value_error, warn, warn_text};
+use crate::convert::{Object, object, value_error, warn, warn_unless};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -49,7 +49,8 @@ pub(crate) fn fit<'py>(
                 return Err(engine.raise(py, reason));
             }
             Err(error @ SceneError::Fit(FitError::NoStart { .. })) if !alone => {
-                warn_text(py, &file.accept, "left-out", format!("left out: {error}"))?;
+                let found = Finding::warning("left-out", "model", f64::NAN);
+                warn_unless(py, &file.accept, &found.fact(format!("left out: {error}")), 1)?;
             }
             Err(error) => return Err(value_error(error)),
         }

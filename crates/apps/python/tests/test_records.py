@@ -66,12 +66,12 @@ def test_numbers_are_read_with_their_units_as_in_scene_files() -> None:
     assert by_file.interface == asperity.Interface.against_rigid(body)
     # The peaks are the asperities, and sq is that of the surface: std below sq.
     assert by_file.surface.asperity_radius == 2e-4 and by_file.surface.asperity_density == 2e8
-    of_std = {"asperity_radius": "0.2 mm", "surface_height_std": "1.1 um"}
+    of_std: dict[str, Any] = {"asperity_radius": "0.2 mm", "surface_height_std": "1.1 um"}
     assert by_file.surface == asperity.Surface.of(**of_std, asperity_density=2e8)
     assert by_file.surface.asperity_height_std < 1.1e-6
 
 
-INDEX = {"plasticity_index": 2.0, "roughness_parameter": 0.04, "asperity_height_std": 1e-6}
+INDEX: Any = {"plasticity_index": 2.0, "roughness_parameter": 0.04, "asperity_height_std": 1e-6}
 
 
 @pytest.mark.parametrize(

@@ -30,7 +30,7 @@ m2 = 0.02
 m4 = 6e9
 """
 
-WAYS: list[dict[str, float]] = [
+WAYS: list[dict[str, Any]] = [
     {"m0": 1e-12, "m2": 1e-4, "m4": 5e4},
     {"sq": 1.1e-6, "spd": 2e8, "spc": 5e3},
     {"sdq": 0.058, "sq": 1.1e-6, "spd": 2e8},
@@ -39,7 +39,7 @@ WAYS: list[dict[str, float]] = [
 
 
 @pytest.mark.parametrize("numbers", WAYS)
-def test_the_surface_is_made_again_from_its_own_numbers(numbers: dict[str, float]) -> None:
+def test_the_surface_is_made_again_from_its_own_numbers(numbers: dict[str, Any]) -> None:
     make = asperity.Surface.of
     scene = asperity.Scene(PAIR, make(**numbers), 1e-4)
     for name, value in numbers.items():

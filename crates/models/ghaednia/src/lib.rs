@@ -215,7 +215,7 @@ mod tests {
         for asperity in [bare, on_rigid] {
             let refused = Ghaednia.force(&asperity, Tolerance::default());
             let message = refused.unwrap_err().to_string();
-            assert!(message.starts_with("tangent_modulus is missing: ghaednia needs"), "{message}");
+            assert!(message.starts_with("tangent_modulus is missing"), "{message}");
         }
     }
 }

@@ -285,16 +285,13 @@ fn what_is_refused_has_its_reason() {
         model.compile(scene, &request).unwrap_err().to_string()
     };
     let inclined = refused(&AsperityPairs::new(AminiTehrani::default()), &scene);
-    assert!(inclined.contains("two rough surfaces: contacts are inclined; use"), "{inclined}");
+    assert!(inclined.contains("contacts are inclined"), "{inclined}");
     scene.heights = HeightDistribution::Exponential;
     assert!(refused(&model("gw"), &scene).contains("heights must be Gaussian"));
     let alone = Asperity::new(&scene.interface, 1e-4).unwrap();
-    let message =
-        model("gw").law(&alone, Quantity::Force, Tolerance::default()).unwrap_err().to_string();
-    assert!(
-        message.starts_with("asperity_density is missing: models of pairs need it"),
-        "{message}"
-    );
+    let message = model("gw").law(&alone, Quantity::Force, Tolerance::default());
+    let message = message.unwrap_err().to_string();
+    assert!(message.starts_with("asperity_density is missing"), "{message}");
     // No such law has a negative value, a kink that is not declared, or a jump.
     let asperity = unlike("mild").asperity().unwrap();
     for id in ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af"] {

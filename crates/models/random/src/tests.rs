@@ -187,15 +187,12 @@ fn limits_of_the_bandwidth_and_what_is_refused() {
     assert!((force - 1.0).abs() < 1e-9, "{force}");
     let refused =
         RandomAsperities::new(AminiTehrani::default()).compile(&usual, &asked).unwrap_err();
-    assert!(refused.to_string().contains("use a model without -random"), "{refused}");
+    assert!(refused.to_string().contains("without -random"), "{refused}");
     // Of one power, GW's averaged area could be turned into a radius, which would be wrong: for
     // Hertz 2 E times the sum of the radii is the tangent.
     for quantity in [Quantity::ContactRadiusSum, Quantity::UnloadingStiffness] {
         let refused = gw.compile(&usual, &Request::new([quantity])).unwrap_err().to_string();
-        assert!(
-            refused.starts_with("gw-random cannot give contact radii, which need"),
-            "{refused}"
-        );
+        assert!(refused.contains("cannot give contact radii"), "{refused}");
     }
     let mut exponential = usual;
     exponential.heights = HeightDistribution::Exponential;

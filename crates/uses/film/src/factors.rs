@@ -231,19 +231,13 @@ mod tests {
     fn films_and_lays_beyond_the_tables_are_refused() {
         let text = |found: Result<f64, ContactError>| found.unwrap_err().to_string();
         let thin = text(pressure_flow_factor(0.49, 1.0));
-        assert_eq!(
-            thin,
-            "film over surface_height_std is 0.49: at least 0.5, the range of the fits, was required"
-        );
-        assert!(
-            text(pressure_flow_factor(0.9, 0.5))
-                .contains("at least 1, the range of the fits for a lay")
-        );
+        assert!(thin.contains("is 0.49: at least 0.5"), "{thin}");
+        assert!(text(pressure_flow_factor(0.9, 0.5)).contains("at least 1, "));
         assert!(pressure_flow_factor(0.9, 2.0).is_ok());
         for gamma in [0.1, 9.1, -1.0, f64::NAN] {
             assert!(text(shear_flow_factor(2.0, gamma)).starts_with("peklenik_number is "));
         }
-        assert!(text(friction_pressure_factor(2.0, 3.0)).contains("0.9 to 1.1, as of isotropic"));
+        assert!(text(friction_pressure_factor(2.0, 3.0)).contains("0.9 to 1.1, "));
         for film in [-1.0, f64::NAN, f64::INFINITY] {
             assert!(friction_factor(film, 0.01).is_err() && shear_flow_factor(film, 1.0).is_err());
         }

@@ -94,7 +94,7 @@ mod tests {
         let one: Length<f64> = "-0.5um".parse().unwrap();
         assert_eq!((one.value, one.unit), (-0.5e-6, SeparationUnit::Metres));
         let two = "2um,3um".parse::<Length<f64>>().unwrap_err();
-        assert_eq!(two, "\"2um,3um\" is more than one value; write one, for example 2um");
+        assert!(two.contains("more than one value"), "{two}");
         assert!("1,2".parse::<Length<f64>>().is_err() && "1um,2um".parse::<Length<f64>>().is_err());
         let span: Length<Span> = "0:3um".parse().unwrap();
         assert!(span.value.last < 1e-5 && "0:3um:4:log".parse::<Length<Span>>().is_err());

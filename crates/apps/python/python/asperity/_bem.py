@@ -172,9 +172,9 @@ def bem_unloading(
         raise ValueError(f"points is {points}: 2 to 100000 were required")
     retreats = None if retreat is None else floats(in_si(retreat, "m"), "retreat").ravel().tolist()
     scan = surface, interface, level, (boundary, elastic)
-    columns, last_contact, boundary = _asperity.bem_unloading(scan, greatest, retreats, points)
+    columns, last_contact, edges = _asperity.bem_unloading(scan, greatest, retreats, points)
     path = BemUnloading(columns, [], [])
-    vars(path).update(last_contact=last_contact, boundary=boundary)
+    vars(path).update(last_contact=last_contact, boundary=edges)
     return path
 
 

@@ -151,25 +151,13 @@ class Curve:
         # What varies between the scenes.
         for name, values in rows.columns.items():
             table[_asperity.column_of(name)] = values[places]
-        table[AXES[rows.axis]] = np.broadcast_to(rows.given, rows.shape).ravel()
+        table[AXES[rows.axis][0]] = np.broadcast_to(rows.given, rows.shape).ravel()
         # Boundary elements would be solved again.
         if rows.axis in LOADS and self._engine.id != "bem":
-            table[AXES[self.separation_unit]] = np.ma.filled(self.separation, np.nan).ravel()
+            table[AXES[self.separation_unit][0]] = np.ma.filled(self.separation, np.nan).ravel()
         heads = _asperity.quantities(self._columns)
         filled = {heads[q]: np.ma.filled(v, np.nan).ravel() for q, v in self._columns.items()}
         return table | filled
-
-    def _labels(self) -> dict[str, str]:
-        """Columns, with labels for axes."""
-        axis = self._rows.axis
-        place = {"load": "load (N)", "pressure": "pressure (Pa)", "m": "separation (m)"}
-        place |= {"film": "film (m)", "lambda_ratio": "film / surface_height_std"}
-        names = _asperity.quantities(self._columns).items()
-        labels = {AXES[axis]: place.get(axis, "separation / asperity_height_std")}
-        for name, head in names:
-            unit = unit_in(head, name)
-            labels[head] = f"{name} ({unit})" if unit else name
-        return labels
 
     def plot(self, ax: Any = None, quantity: str | None = None, **line: Any) -> Any:
         """Draws a quantity (the first, unless one is named) against separation, load or pressure
@@ -188,16 +176,17 @@ class Curve:
         name = quantity or self.quantities[0]
         x = np.broadcast_to(self._rows.given, self.shape)
         y = self[name]
-        heads = _asperity.quantities(self._columns)
-        labels = self._labels()
         line.setdefault("label", self.model)
         ax.plot(x.T if x.ndim > 1 else x, y.T if y.ndim > 1 else y, **line)
         if _is_wide(np.asarray(x)):
             ax.set_xscale("log")
         if _is_wide(np.ma.filled(y, np.nan)):
             ax.set_yscale("log")
-        ax.set_xlabel(labels[AXES[self._rows.axis]])
-        ax.set_ylabel(labels[heads[name.replace("_", "-")]])
+        _, place, of = AXES[self._rows.axis]
+        ax.set_xlabel(f"{place} / {of}" if "_" in of else f"{place} ({of})")
+        ((name, head),) = _asperity.quantities(name.replace("_", "-")).items()
+        unit = unit_in(head, name)
+        ax.set_ylabel(f"{name} ({unit})" if unit else name)
         return ax
 
     def to_csv(self, path: str | PathLike[str] | None = None) -> str:
@@ -234,9 +223,7 @@ class Curve:
     def __repr__(self) -> str:
         rows = self._rows
         numbers = rows.given
-        known = {"load": ("load", "N"), "pressure": ("pressure", "Pa"), "film": ("film", "m")}
-        known["lambda_ratio"] = ("film", "surface_height_std")
-        axis, unit = known.get(rows.axis, ("separation", rows.axis))
+        _, axis, unit = AXES[rows.axis]
         where = f"{numbers.size} {axis}{'s' if numbers.size != 1 else ''}"
         if numbers.size > 1:
             where += f" from {numbers.min():g} to {numbers.max():g}"

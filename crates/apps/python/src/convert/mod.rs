@@ -64,16 +64,6 @@ pub(crate) fn warn_unless(
     if found.is_accepted(accept) { Ok(()) } else { warn(py, found, above) }
 }
 
-/// Likewise, a sentence of its own.
-pub(crate) fn warn_text(
-    py: Python<'_>,
-    accept: &[String],
-    code: &'static str,
-    text: String,
-) -> PyResult<()> {
-    warn_unless(py, accept, &Finding::warning(code, "", f64::NAN).fact(text), 1)
-}
-
 /// The text of a warning, which filters of warnings find by its code.
 pub(crate) fn warning(found: &Finding) -> String {
     format!("{}: {found}", found.code)

@@ -221,21 +221,14 @@ impl Engine {
 
     /// The exception of a refusal: that of the user's own code, or the library's.
     pub(crate) fn raise(&self, py: Python<'_>, refusal: ContactError) -> PyErr {
-        self.own(py, &refusal).unwrap_or_else(|| refused(refusal))
+        let own = self.raised().and_then(|raised| raised.exception(py, &refusal));
+        own.unwrap_or_else(|| refused(refusal))
     }
 
-    /// The last exception of the user's own code, once.
-    fn raised(&self) -> Option<PyErr> {
+    /// What the user's own code has raised.
+    fn raised(&self) -> Option<&Raised> {
         match &self.0 {
-            Kind::Python { raised, .. } => raised.take(),
-            Kind::Named { .. } => None,
-        }
-    }
-
-    /// The exception of the user's own code that caused a refusal.
-    fn own(&self, py: Python<'_>, refusal: &ContactError) -> Option<PyErr> {
-        match &self.0 {
-            Kind::Python { raised, .. } => raised.exception(py, refusal),
+            Kind::Python { raised, .. } => Some(raised),
             Kind::Named { .. } => None,
         }
     }
@@ -271,7 +264,7 @@ pub(crate) fn models_among(
         return all.map_err(value_error);
     };
     let model = |engine: &Py<Engine>| {
-        drop(engine.get().raised());
+        drop(engine.get().raised().and_then(Raised::take));
         engine.get().on(file)
     };
     engines.iter().map(model).collect()
@@ -286,7 +279,7 @@ pub(crate) fn answered(
 ) -> PyResult<()> {
     let lacks = found.is_err() || sheet.findings.iter().any(|one| one.code == "no-value");
     let mut engines = engines.iter().flatten().filter(|_| lacks);
-    let raised = engines.find_map(|engine| engine.get().raised());
+    let raised = engines.find_map(|engine| engine.get().raised()?.take());
     raised.map_or_else(|| found.map_err(|error| without(sheet, error)), Err)
 }
 
