@@ -1,7 +1,7 @@
 //! Contact tables for finite-element codes, and correlations of thermal contact conductance.
 
+use asperity::Severity;
 use asperity::joints::conductance;
-use asperity::{AsWritten, Dialect, Severity};
 use asperity_answer::{
     Cell, ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
 };
@@ -38,8 +38,7 @@ pub(crate) fn columns<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Bound<'py
 
 /// A sheet as the package's `Table`.
 pub(crate) fn table<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Table<'py>> {
-    let results = sheet.results.iter().map(|text| AsWritten.say(text)).collect();
-    Ok((columns(py, sheet)?, object(py, &sheet.findings)?, results))
+    Ok((columns(py, sheet)?, object(py, &sheet.findings)?, sheet.results.clone()))
 }
 
 /// Emits the warnings of a sheet that the scene does not accept.

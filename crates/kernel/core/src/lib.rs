@@ -39,7 +39,7 @@ pub use engine::sweep::Sweep;
 pub use error::ContactError;
 #[doc(hidden)]
 pub use error::{integral_failed, positive};
-pub use finding::{AsWritten, Code, Dialect, Finding, Findings, Severity, short};
+pub use finding::{Advice, Code, Finding, Findings, Severity, short};
 #[cfg(feature = "statrs")]
 pub use heights::statrs::StandardisedHeights;
 pub use heights::table::TabulatedHeights;

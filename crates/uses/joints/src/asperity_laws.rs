@@ -79,7 +79,7 @@ impl AsperityLaws {
             ));
         }
         let one = model.asperity_model().ok_or_else(|| {
-            unsupported("these need a model of asperities of one radius, such as `ke`")
+            unsupported("these need a model of asperities of one radius, such as ke")
         })?;
         let (one, sum) = match one.of_one_contact() {
             Some(OneContact { model, sum }) => (model, Some(sum)),

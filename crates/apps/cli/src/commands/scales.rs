@@ -86,9 +86,7 @@ impl Scales {
                     numbers.extend(answers(&file, id, at).with_context(|| scene.name.clone())?);
                 }
                 (Err(reason), ..) => {
-                    let reason =
-                        format!("{CUTOFF} {cutoff:e}: {}", output::summary(&reason.into()));
-                    blanks.count("value", reason);
+                    blanks.count("value", &reason, format!("{CUTOFF} {cutoff:e}: {reason}"));
                 }
                 _ => {}
             }

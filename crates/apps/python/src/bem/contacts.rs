@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use asperity::bem::{BemError, Leak};
-use asperity::{AsWritten, ContactModel, Dialect, Findings, Quantity, Request, linspace};
+use asperity::{ContactModel, Findings, Quantity, Request, linspace};
 use asperity_answer::{self as answer, Press, Sheet, Watch, compared, truth_of};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -73,7 +73,7 @@ pub(crate) fn bem<'py>(
                 Ok(answer::Pressed { cells, notes: of_one, solution }) => {
                     for (column, cell) in columns.iter_mut().zip(&cells) {
                         column[index] = cell.number().unwrap_or(f64::NAN);
-                        let reason = cell.reason().map(|reason| AsWritten.say(reason));
+                        let reason = cell.reason().map(ToString::to_string);
                         reason.into_iter().for_each(|reason| fail(index, reason));
                     }
                     let kept = maps.iter_mut().flatten();

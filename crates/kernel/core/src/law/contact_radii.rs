@@ -57,7 +57,7 @@ impl RadiusFactor {
     /// The factor of S in `quantity`.
     pub(crate) fn on(self, interface: &Interface, quantity: Quantity) -> Result<f64, ContactError> {
         let Self { factor, field, whose } = self;
-        let reason = || format!("`{quantity}`{whose} needs it");
+        let reason = || format!("{quantity}{whose} needs it");
         let missing = || ContactError::Missing { field, reason: reason() };
         factor(interface).ok_or_else(missing)
     }

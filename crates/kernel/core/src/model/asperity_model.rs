@@ -98,12 +98,12 @@ impl dyn AsperityModel + '_ {
             Derivation::IntegralOrSlope(law, _) => law(self, asperity, tolerance)?,
             Derivation::Map => {
                 let what = format!(
-                    "`{quantity}`, which follows from a map of the gap; use boundary elements"
+                    "{quantity}, which follows from a map of the gap; use boundary elements"
                 );
                 return Err(ContactError::Unsupported { model: self.id().into(), what });
             }
             Derivation::Flow | Derivation::Gap => {
-                let what = format!("`{quantity}`, which follows from the film alone");
+                let what = format!("{quantity}, which follows from the film alone");
                 return Err(ContactError::Unsupported { model: self.id().into(), what });
             }
             _ => None,
