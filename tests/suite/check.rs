@@ -229,15 +229,6 @@ fn derived_numbers_equal_their_formulas() {
     assert!((number("rms_gradient").powi(2) / (2.0 * surface.moments().m2) - 1.0).abs() < 1e-12);
 }
 
-/// Terms in brackets.
-struct Marked;
-
-impl asperity::Dialect for Marked {
-    fn term(&self, term: &str) -> String {
-        format!("[{term}]")
-    }
-}
-
 #[test]
 fn findings_at_a_load_report_depth_and_crowding() {
     let scene = named("at-paper");
@@ -246,8 +237,8 @@ fn findings_at_a_load_report_depth_and_crowding() {
     // psi = 6: yielding asperities carry nearly all of the load, which GW ignores.
     let gw = at("gw", At::from(2.0));
     assert_eq!(codes(&gw), ["yields"]);
-    let marked = gw.findings[0].say(&Marked);
-    assert!(marked.ends_with("[ke or jg]"), "{marked}");
+    let advised = gw.findings[0].worded("", |advice| format!("[{advice}]"));
+    assert!(advised.ends_with("[use ke or jg]"), "{advised}");
     assert!(gw.number("yielding_share").unwrap() > 0.9);
     assert!(at("ke", At::from(2.5)).findings.is_empty());
     assert_eq!(codes(&at("ke", At::from(-1.0)))[0], "crowded");

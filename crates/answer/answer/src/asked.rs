@@ -131,7 +131,7 @@ impl Asked {
     pub fn corrected(&self, file: &SceneFile) -> Result<Corrected, ContactError> {
         let of_film = self.request.quantities.iter().filter(|quantity| quantity.is_of_film());
         let of_film = of_film.map(|quantity| {
-            let what = format!("`{quantity}`, which follows from the film and is not corrected");
+            let what = format!("{quantity}, which follows from the film and is not corrected");
             (*quantity, ContactError::Unsupported { model: self.model.id().into(), what })
         });
         let refused = self.refused.iter().cloned().chain(of_film).collect();
@@ -146,7 +146,7 @@ impl Asked {
         let is_own = |model: &str| model == self.model.id();
         let text = |(reason, names): (&ContactError, Vec<String>)| match reason {
             ContactError::NoLaw { model, quantity } if is_own(model) => {
-                format!("has no law for `{quantity}`")
+                format!("has no law for {quantity}")
             }
             ContactError::Unsupported { model, what } if is_own(model) => {
                 match names.iter().all(|name| what.contains(name)) {
@@ -154,10 +154,10 @@ impl Asked {
                     false => format!("no {} (cannot give {what})", names.join(", ")),
                 }
             }
-            other => format!("no {}: {}", names.join(", "), other.marked()),
+            other => format!("no {}: {}", names.join(", "), other),
         };
         let asked = self.refused.iter().filter(|(one, _)| self.request.quantities.contains(one));
-        let pairs = asked.map(|(quantity, why)| (why, format!("`{quantity}`")));
+        let pairs = asked.map(|(quantity, why)| (why, format!("{quantity}")));
         grouped(pairs).into_iter().map(text).collect()
     }
 
@@ -250,7 +250,7 @@ impl Asked {
         let Some(gas) = self.gas.filter(|_| gap > ATOMIC_DISTANCE) else {
             return Err(ContactError::Unsupported {
                 model: self.model.id().into(),
-                what: format!("`{quantity}`: the mean planes are {} m apart", short(gap)),
+                what: format!("{quantity}: the mean planes are {} m apart", short(gap)),
             });
         };
         let value = open * gap_conductance(gas.conductivity, gap, gas.parameter)?;

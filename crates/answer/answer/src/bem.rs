@@ -119,7 +119,7 @@ impl<'a> Press<'a> {
             let values =
                 quantities.iter().map(|quantity| match summary.evaluate(*quantity, scene) {
                     Ok(value) => value.map(|value| value.value()).into(),
-                    Err(reason) => Cell::Blank(Some(reason.marked().into())),
+                    Err(reason) => Cell::Blank(Some(reason.into())),
                 });
             let flow = |leak: Leak, (gap, direction, _)| {
                 let (_, gap) = summary.gaps.iter().find(|(known, _)| *known == gap)?;

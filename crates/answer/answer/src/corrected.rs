@@ -39,12 +39,12 @@ impl Inquiry<'_> {
                     // Where the model itself has none, it has its reason there.
                     let has_own = sheet.rows[first + k][places - 1].number().is_some();
                     if let Some(reason) = separation.as_ref().err().filter(|_| has_own) {
-                        blanks.count("separation", words(reason));
+                        blanks.count("separation", reason, words(reason));
                     }
                     separation.ok()
                 }
                 Err(reason) => {
-                    blanks.count("value", words(reason));
+                    blanks.count("value", reason, words(reason));
                     None
                 }
             };
@@ -60,9 +60,9 @@ impl Inquiry<'_> {
                     Ok(Err(reason)) => {
                         // What the model itself lacks has its reason there.
                         if sheet.rows[first + k][places + 3 * q].number().is_some() {
-                            blanks.count(&format!("`{quantity}`"), words(&reason));
+                            blanks.count(&quantity.to_string(), &reason, words(&reason));
                         }
-                        [Cell::Blank(Some(reason.marked().into())), Cell::BLANK, Cell::BLANK]
+                        [Cell::Blank(Some(reason.into())), Cell::BLANK, Cell::BLANK]
                     }
                     Err(_) => [Cell::BLANK; 3],
                 });

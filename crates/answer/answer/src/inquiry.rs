@@ -220,11 +220,11 @@ impl<'s> Inquiry<'s> {
                     Some((quantity, value.as_ref().err().filter(is_new)?))
                 });
                 if let Some((quantity, reason)) = failed {
-                    let what = if answered { format!("`{quantity}`") } else { "value".into() };
+                    let what = if answered { quantity.to_string() } else { "value".into() };
                     let opens =
                         |e| matches!(e, &ContactError::OutOfReach { load, .. } if load < 0.0);
                     let opening = if id == JKR && opens(reason) { OPENING } else { "" };
-                    blanks.count(&what, reason_alone(model.id(), reason) + opening);
+                    blanks.count(&what, reason, reason_alone(model.id(), reason) + opening);
                 }
                 deliver(sheet, self.place(id, &line), line);
             }
@@ -280,7 +280,7 @@ pub fn column_of_end(column: &str, end: &str) -> String {
 fn cell(value: &Result<Evaluation, ContactError>) -> Cell {
     match value {
         Ok(value) => Cell::Number(value.value()),
-        Err(reason) => Cell::Blank(Some(reason.marked().into())),
+        Err(reason) => Cell::Blank(Some(reason.clone().into())),
     }
 }
 

@@ -100,12 +100,12 @@ pub(crate) fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
     sheet.extend(file.findings().into_iter().filter(|found| found.code == "adhesion").collect());
 }
 
-/// The reason of a model whose id stands in front of it; terms are marked.
+/// The reason of a model whose id stands in front of it.
 pub(crate) fn reason_alone(id: &str, reason: &ContactError) -> String {
     match reason {
         ContactError::Unsupported { model, what } if model == id => format!("cannot give {what}"),
         ContactError::Refused { model, reason } if model == id => reason.clone(),
-        reason => reason.marked(),
+        reason => reason.to_string(),
     }
 }
 
@@ -118,7 +118,7 @@ pub(crate) fn by_reason<'e>(
     let reason = |reason: &ContactError| match reason {
         ContactError::Unsupported { what, .. } => format!(" cannot give {what}"),
         ContactError::Refused { reason, .. } => format!(": {reason}"),
-        reason => format!(": {}", reason.marked()),
+        reason => format!(": {reason}"),
     };
     let kind = |error: &ContactError| match error {
         ContactError::Missing { field, .. } => (*field).to_string(),

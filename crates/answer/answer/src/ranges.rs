@@ -96,7 +96,7 @@ impl Ends<'_> {
                 let ends = self.numbers(sheet, row, column).map(|all| [least(&all), most(&all)]);
                 let cell = &mut sheet.rows[row][column];
                 if ends.is_none() && cell.number().is_some() {
-                    *cell = Cell::Blank(Some(NO_RANGE.into()));
+                    *cell = Cell::BLANK;
                     blank += 1;
                 }
                 let ends = [0, 1].map(|end| Cell::from(ends.map(|ends| ends[end])));
@@ -158,7 +158,7 @@ impl Ends<'_> {
             wide => format!("{wide:.1}"),
         };
         let within = |(quantity, width): &(Quantity, Width)| {
-            format!("`{quantity}` within {}", ratio(width.of_unknowns[k]))
+            format!("{quantity} within {}", ratio(width.of_unknowns[k]))
         };
         let each = widths.iter().map(within).collect::<Vec<_>>().join(", ");
         let of_faces = self.file.unknowns().map(|(_, one)| one).filter(|one| one.name == name);
@@ -167,16 +167,15 @@ impl Ends<'_> {
         let narrowed = widest.map_or("", |one| one.narrowed);
         let spread = ratio(spread.ln());
         let text = format!(
-            "`{name}` is unknown within a factor of {spread}, and with it {each}; {narrowed} would narrow it"
+            "{name} is unknown within a factor of {spread}, and with it {each}; {narrowed} would narrow it"
         );
         sheet.result(text);
         let shares = widths.iter().map(|(quantity, Width { total, of_unknowns })| {
             let all: f64 = of_unknowns.iter().sum();
-            let share = |((name, _), of): (&(&str, f64), &f64)| {
-                format!("`{name}` {:.0} %", 100.0 * of / all)
-            };
+            let share =
+                |((name, _), of): (&(&str, f64), &f64)| format!("{name} {:.0} %", 100.0 * of / all);
             let shares = spreads.iter().zip(of_unknowns).map(share).collect::<Vec<_>>().join(", ");
-            format!("`{quantity}` {} ({shares})", ratio(*total))
+            format!("{quantity} {} ({shares})", ratio(*total))
         });
         let shares = shares.collect::<Vec<_>>().join("; ");
         let text = format!(
@@ -184,7 +183,7 @@ impl Ends<'_> {
         );
         sheet.result(text);
         if widths.iter().any(|(quantity, _)| STIFFNESSES.contains(quantity)) {
-            let text = "waviness longer than `lambda_c` is not in the roughness and can only make the joint softer than these stiffnesses";
+            let text = "waviness longer than lambda_c is not in the roughness and can only make the joint softer than these stiffnesses";
             sheet.note("waviness", text);
         }
         sheet.findings.extend(self.file.smooth_counterface());

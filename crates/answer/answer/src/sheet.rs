@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity::{Finding, Findings};
+use asperity::{ContactError, Finding, Findings};
 use serde::{Serialize, Serializer};
 
 /// Rows under the names of their columns, which end with the unit: `force_N`.
@@ -25,9 +25,8 @@ pub enum Cell {
     Text(Arc<str>),
     /// A number.
     Number(f64),
-    /// No value; the reason, where it concerns this cell, with its terms marked for a
-    /// [`Dialect`](asperity::Dialect).
-    Blank(Option<Arc<str>>),
+    /// No value; the reason, where it concerns this cell.
+    Blank(Option<Arc<ContactError>>),
 }
 
 impl Cell {
@@ -40,9 +39,9 @@ impl Cell {
         if let Self::Number(number) = self { Some(*number) } else { None }
     }
 
-    /// Why there is no value, where the cell says so; terms are marked.
+    /// Why there is no value, where the cell says so.
     #[must_use]
-    pub fn reason(&self) -> Option<&str> {
+    pub fn reason(&self) -> Option<&ContactError> {
         if let Self::Blank(reason) = self { reason.as_deref() } else { None }
     }
 

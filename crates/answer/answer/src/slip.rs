@@ -159,7 +159,7 @@ impl Slip<'_> {
                         cycle.map(Some)
                     }
                     Err(error) => {
-                        blanks.count("cycle", error.to_string());
+                        blanks.count("cycle", &error, error.to_string());
                         let force = match amplitude {
                             Amplitude::Shift(_) => None,
                             Amplitude::Force(force) => Some(force),

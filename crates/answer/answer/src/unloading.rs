@@ -131,7 +131,7 @@ fn add_rows(
     let mut value = |found: Result<Evaluation, ContactError>| match found {
         Ok(found) => Ok(Some(found.value())),
         Err(error @ ContactError::Integral { .. }) => {
-            blanks.count("value", error.to_string());
+            blanks.count("value", &error, error.to_string());
             Ok(None)
         }
         Err(error) => Err(error),

@@ -47,13 +47,13 @@ pub fn unloading_scan(
                 Err(BemError::Cancelled) => continue,
                 Err(error) => {
                     let at = rounded(*retreat);
-                    blanks.count("value", format!("at a retreat of {at} m: {error}"));
+                    blanks.count("value", &error, format!("at a retreat of {at} m: {error}"));
                     continue;
                 }
             };
             let place = Separation::metres(found.mean_gap).from_surface_mean();
             let stiffness = found.stiffness.transpose().unwrap_or_else(|error| {
-                blanks.count("stiffness", format!("no stiffness: {error}"));
+                blanks.count("stiffness", &error, format!("no stiffness: {error}"));
                 None
             });
             let (pressure, area) = (found.mean_pressure, scene.nominal_area);

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use asperity::{AsWritten, At, Dialect, Quantity, Request, Separation};
+use asperity::{At, Quantity, Request, Separation};
 use asperity_answer::{AnswerError, Inquiry, Sheet, Silent, models, with_ranges};
 use asperity_inputs::{SceneFile, parse};
 
@@ -133,7 +133,7 @@ fn columns_of_ends_depend_on_what_is_asked_and_not_on_the_numbers() {
 #[test]
 fn the_results_name_the_widest_unknown_and_the_shares() {
     let (_, sheet) = ends(&finished("ground", 0.8, 2e9), "persson", Quantity::Area);
-    let texts: Vec<String> = sheet.results.iter().map(|text| AsWritten.say(text)).collect();
+    let texts = &sheet.results;
     for part in ["area 4.7 (rq 4 %, mean_slope 96 %, ", "area within 4.4; rdq, "] {
         assert!(texts.iter().any(|text| text.contains(part)), "{texts:?}");
     }
@@ -143,7 +143,7 @@ fn the_results_name_the_widest_unknown_and_the_shares() {
         ("rq = 1e-6\nrdq = 0.1\nfinish = \"ground\"", "within 1.16; a scan"),
     ] {
         let (_, sheet) = ends(&two_faces(keys, 2e9), "persson", Quantity::Area);
-        let texts: Vec<String> = sheet.results.iter().map(|text| AsWritten.say(text)).collect();
+        let texts = &sheet.results;
         let of_slope = |text: &&String| text.starts_with("mean_slope is unknown");
         let text = texts.iter().find(of_slope).unwrap_or_else(|| panic!("{texts:?}"));
         assert!(text.contains(narrowed), "{text}");

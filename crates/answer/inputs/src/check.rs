@@ -3,7 +3,7 @@
 
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
-    At, Check, Contact, ContactError, ContactModel, Finding, Findings, HARDNESS_OVER_YIELD,
+    Advice, At, Check, Contact, ContactError, ContactModel, Finding, Findings, HARDNESS_OVER_YIELD,
     HeightDistribution, Plausible, ProfileMoments, plain_findings, short,
 };
 use asperity_topography::Statistics;
@@ -111,9 +111,9 @@ impl SceneFile {
         let given = (0..).zip(self.follows_from).map(|(k, name)| match values {
             Some(values) => {
                 let unit = Key::find("surface", name).map_or("", |key| key.unit);
-                format!("`{name}` = {} {unit}", short(values[k])).trim_end().to_string()
+                format!("{name} = {} {unit}", short(values[k])).trim_end().to_string()
             }
-            None => format!("`{name}`"),
+            None => format!("{name}"),
         });
         let given: Vec<String> = given.collect();
         let found = plain_findings(&self.scene.surface).into_iter().next()?;
@@ -223,14 +223,14 @@ impl SceneFile {
         let without = self.scene.interface.check().is_ok_and(|(hardness, ..)| hardness.is_none());
         let advice = match without {
             true => {
-                "it has the lower `youngs_modulus` and is taken as the softer one, so that only elastic models work"
+                "it has the lower youngs_modulus and is taken as the softer one, so that only elastic models work"
             }
             false => "the other body is assumed to be the softer one",
         };
         let modulus = body.youngs_modulus;
         let finding = Finding::warning("no-hardness", "youngs_modulus", modulus)
             .unit("Pa")
-            .fact(format!("`body[{k}]` has neither `hardness` nor `yield_strength`"))
+            .fact(format!("body[{k}] has neither hardness nor yield_strength"))
             .advice(advice);
         // No warning for rubber on glass.
         (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
@@ -253,7 +253,7 @@ impl SceneFile {
             short(limit)
         );
         let advice =
-            "soft metals harden as they yield: give the measured `hardness`, such as \"150 HV\"";
+            "soft metals harden as they yield: give the measured hardness, such as \"150 HV\"";
         let found = Finding::note("hardness-by-yield", "yield_strength", softer.yield_strength?);
         Some(found.unit("Pa").fact(fact).advice(advice))
     }
@@ -267,7 +267,7 @@ impl SceneFile {
         let [one, other] = [first, second].map(|body| body.poissons_ratio);
         let found = Finding::warning("equally-hard", "poissons_ratio", one.min(other));
         let advice =
-            format!("the body with the smaller `poissons_ratio` ({}) yields first", one.min(other));
+            format!("the body with the smaller poissons_ratio ({}) yields first", one.min(other));
         (alike && (one - other).abs() > 0.02)
             .then(|| found.fact("the bodies are equally hard").advice(advice))
     }
@@ -301,9 +301,10 @@ impl SceneFile {
         let found = Finding::warning("below-a-pixel", "contact_radius", radius)
             .usual([pixel, f64::INFINITY])
             .fact(format!(
-                "`contact_radius` is {radius:.3e} m, less than a pixel of the scan ({pixel:.3e} m)"
+                "contact_radius is {radius:.3e} m, less than a pixel of the scan ({pixel:.3e} m)"
             ))
-            .advice("the result depends on roughness below the pixel size; compare cut-offs with `asperity surface --scales`")
+            .advice("the result depends on roughness below the pixel size")
+            .to_do(Advice::CompareCutOffs)
             .unit("m");
         (radius < pixel).then_some(found)
     }

@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::PathBuf;
 
 use asperity::fit::FitError;
-use asperity::{AsWritten, ContactError, Dialect, nearest_hint};
+use asperity::{ContactError, nearest_hint};
 
 /// A place in a scene file or in a file that it names.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -43,7 +43,7 @@ impl fmt::Display for Place {
 #[non_exhaustive]
 pub enum SceneError {
     /// A file could not be read.
-    #[error("{at} cannot be read: {reason}")]
+    #[error("{at} {}", self.reason())]
     Unreadable {
         /// The file, and the field that names it.
         at: Box<Place>,
@@ -51,7 +51,7 @@ pub enum SceneError {
         reason: String,
     },
     /// A file could not be written, or no file can hold this value.
-    #[error("{at} cannot be written: {reason}")]
+    #[error("{at} {}", self.reason())]
     Unwritable {
         /// The file, or the field.
         at: Box<Place>,
@@ -67,7 +67,7 @@ pub enum SceneError {
         reason: String,
     },
     /// A key that its section does not have.
-    #[error("{at} is not known{}: {allowed}", nearest_hint(.near.as_ref()))]
+    #[error("{at} is {}", self.reason())]
     UnknownKey {
         /// The key.
         at: Box<Place>,
@@ -77,7 +77,7 @@ pub enum SceneError {
         allowed: String,
     },
     /// A value of the wrong kind, out of its range, or not one of the allowed names.
-    #[error("{at} is {found}{}: {needed} was required", nearest_hint(.near.as_ref()))]
+    #[error("{at} is {}", self.reason())]
     Value {
         /// The field.
         at: Box<Place>,
@@ -89,7 +89,7 @@ pub enum SceneError {
         needed: String,
     },
     /// A number that is written in another notation, with a decimal comma for example.
-    #[error("{at} = {found} {hint}")]
+    #[error("{at} = {}", self.reason())]
     Notation {
         /// The field.
         at: Box<Place>,
@@ -99,7 +99,7 @@ pub enum SceneError {
         hint: String,
     },
     /// A missing field.
-    #[error("{at} is missing: {needed}")]
+    #[error("{at} is {}", self.reason())]
     Missing {
         /// The field, at the line of its section.
         at: Box<Place>,
@@ -149,9 +149,31 @@ impl SceneError {
         }
     }
 
+    /// What is wrong, to follow the name of the field, without the [place](Self::place).
+    #[must_use]
+    pub fn reason(&self) -> String {
+        match self {
+            Self::Unreadable { reason, .. } => format!("cannot be read: {reason}"),
+            Self::Unwritable { reason, .. } => format!("cannot be written: {reason}"),
+            Self::UnknownKey { near, allowed, .. } => {
+                format!("not known{}: {allowed}", nearest_hint(near.as_ref()))
+            }
+            Self::Value { found, near, needed, .. } => {
+                format!("{found}{}: {needed} was required", nearest_hint(near.as_ref()))
+            }
+            Self::Notation { found, hint, .. } => format!("{found} {hint}"),
+            Self::Missing { needed, .. } => format!("missing: {needed}"),
+            Self::Conflict { other, needed, .. } => {
+                format!("not possible beside {}: {needed} was required", other.field)
+            }
+            Self::Refused { reason, .. } | Self::Input { reason, .. } => reason.clone(),
+            Self::Fit(error) => error.to_string(),
+        }
+    }
+
     /// An error for a value, with the value needed instead.
     pub(crate) fn value(at: Box<Place>, found: impl fmt::Debug, needed: &str) -> Self {
-        let (found, needed) = (format!("{found:?}"), needed.trim_end_matches(',').into());
+        let (found, needed) = (format!("{found:?}"), needed.into());
         Self::Value { at, found, near: None, needed }
     }
 
@@ -159,10 +181,10 @@ impl SceneError {
     pub(crate) fn from_contact(source: ContactError, at: impl Fn(&str) -> Box<Place>) -> Self {
         match source {
             ContactError::OutOfRange { field, value, required } => {
-                Self::value(at(field), value, &AsWritten.say(required))
+                Self::value(at(field), value, required)
             }
             ContactError::Missing { field, reason } => {
-                Self::Missing { at: at(field), needed: AsWritten.say(&reason) }
+                Self::Missing { at: at(field), needed: reason }
             }
             source => Self::Refused { at: at(""), reason: source.to_string() },
         }

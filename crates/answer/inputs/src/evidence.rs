@@ -43,10 +43,10 @@ impl SceneFile {
         let [from, to] = [KURTOSIS[0], 2.0f64.mul_add(ssk * ssk, KURTOSIS[1])];
         if !(from..=to).contains(&sku) {
             let reason = format!(
-                "`measured_kurtosis` is {sku:.3}; solved surfaces with a skewness of {:.1} have {from} to {to:.1}; use `asperity bem --compare`",
+                "measured_kurtosis is {sku:.3}; solved surfaces with a skewness of {:.1} have {from} to {to:.1}; compare with boundary elements on the scan",
                 (10.0 * ssk).round() / 10.0 + 0.0
             );
-            return Err(ContactError::NoEvidence { reason });
+            return Err(ContactError::NoEvidence { property: "kurtosis", reason });
         }
         let slopes = statistics.moments.texture();
         let slopes = slopes.map_or([1.0; 2], |lay| [lay.slope_along, lay.slope_across]);

@@ -96,13 +96,11 @@ impl Drawing<'_> {
         let [short_cut, cut] = self.wavelengths;
         let below = self.number("rq")?.zip(self.number("ra")?).filter(|(rq, ra)| rq < ra);
         let (key, value, hint) = match below {
-            Some((rq, _)) => ("rq", rq, "is below `ra`, which no surface has: check both"),
+            Some((rq, _)) => ("rq", rq, "is below ra, which no surface has: check both"),
             None if cut > LONGEST => ("lambda_c", cut, "is in m: write \"0.8 mm\", for example"),
-            None if cut <= short_cut => (
-                "lambda_c",
-                cut,
-                "is the long cut-off of the profile, and `lambda_s` is no shorter",
-            ),
+            None if cut <= short_cut => {
+                ("lambda_c", cut, "is the long cut-off of the profile, and lambda_s is no shorter")
+            }
             None => return Ok(()),
         };
         let at = self.document.place(&self.at(key));
@@ -141,7 +139,7 @@ impl Drawing<'_> {
         let made = |range: &'static Range, ends: [f64; 2], text: &str| {
             let Range { lower, upper, source, .. } = range;
             let source = format!("{text} {lower} to {upper}: {source}");
-            Unknown::new(NAMES[0], ends, &range.status, source, "`rq`")
+            Unknown::new(NAMES[0], ends, &range.status, source, "rq")
         };
         match (ra, rz) {
             (Some(ra), _) => {
@@ -178,7 +176,7 @@ impl Drawing<'_> {
         let (range, slope, power, text, narrowed) = match rz.zip(rsm) {
             Some((rz, rsm)) => {
                 let range = self.at_ratio("slope_over_rz_rsm", "rdq")?;
-                (range, 2.0 * rz / rsm, 0.0, "times 2 rz/rsm", "`rdq` or a scan")
+                (range, 2.0 * rz / rsm, 0.0, "times 2 rz/rsm", "rdq or a scan")
             }
             None if self.finish.is_none() => {
                 return self.missing(
@@ -192,7 +190,7 @@ impl Drawing<'_> {
             None => {
                 let slope = usual_slope(height.range[1]);
                 let text = "times 0.125 Rq^0.402 (um)";
-                (self.range("slope")?, slope, POWER, text, "`rdq`, `rz` with `rsm`, or a scan")
+                (self.range("slope")?, slope, POWER, text, "rdq, rz with rsm, or a scan")
             }
         };
         let Range { lower, upper, source, .. } = range;
@@ -247,7 +245,7 @@ impl Drawing<'_> {
         let [short_cut, cut] = self.wavelengths.map(|length| short(1e6 * length));
         let source = format!("lambda_c {cut} um, lambda_s {short_cut} um: {}", range.source);
         let ends = [range.lower, range.upper];
-        Ok(Unknown::new(NAMES[2], ends, &range.status, source, "`bandwidth` or a scan"))
+        Ok(Unknown::new(NAMES[2], ends, &range.status, source, "bandwidth or a scan"))
     }
 
     /// The warning of a height that only another unit makes usual.
@@ -272,7 +270,7 @@ impl Drawing<'_> {
         let [least, _, most] = height.range;
         let of_ra = self.number("ra")?.map(|ra| [ra; 2]);
         for (key, other, of, what, known) in [
-            ("rq", "`ra`", of_ra, "rq_over_ra", " (a sine has 1.11)"),
+            ("rq", "ra", of_ra, "rq_over_ra", " (a sine has 1.11)"),
             ("rz", "the Rq of the surface", Some([least, most]), "rz_over_rq", ""),
         ] {
             let Some((value, [least, most])) = self.number(key)?.zip(of) else { continue };
@@ -280,7 +278,7 @@ impl Drawing<'_> {
             if value > upper * most || value < lower * least {
                 let ratio = short(value / (least * most).sqrt());
                 let fact = format!(
-                    "`{key}` is {ratio} times {other}, and such surfaces have {lower} to {upper}{known}"
+                    "{key} is {ratio} times {other}, and such surfaces have {lower} to {upper}{known}"
                 );
                 warn(key, value, fact, "check both, or remove what was not measured");
             }
@@ -299,11 +297,11 @@ impl Drawing<'_> {
             let cusps = feed * feed / (CUSP * radius);
             if ra < 0.9 * cusps {
                 let fact = format!(
-                    "the cusps of `feed` and `nose_radius` have an Ra of {} um, more than the {} um of the surface",
+                    "the cusps of feed and nose_radius have an Ra of {} um, more than the {} um of the surface",
                     short(1e6 * cusps),
                     short(1e6 * ra)
                 );
-                warn("feed", feed, fact, "check `feed`, `nose_radius` and the roughness");
+                warn("feed", feed, fact, "check feed, nose_radius and the roughness");
             }
         }
         Ok(found)

@@ -41,7 +41,7 @@ impl SceneFile {
     /// # Errors
     /// [`ContactError::Missing`] without one.
     pub fn needed_gas(&self) -> Result<Gas, ContactError> {
-        let (field, reason) = ("gas_conductivity", "set it and `gas_parameter` in [gap]".into());
+        let (field, reason) = ("gas_conductivity", "set it and gas_parameter in [gap]".into());
         self.gas.ok_or(ContactError::Missing { field, reason })
     }
 }

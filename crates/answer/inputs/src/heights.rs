@@ -152,10 +152,10 @@ pub(crate) fn compare_std(
             .usual([(1.0 - DIFFERENT) * std, (1.0 + DIFFERENT) * std])
             .unit("m")
             .fact(format!(
-                "the standard deviation of the table is {own:.4e} m, `asperity_height_std` {std:.4e} m"
+                "the standard deviation of the table is {own:.4e} m, asperity_height_std {std:.4e} m"
             ))
             .advice(
-                "the heights are those of the table, and `asperity_height_std` is the unit of separations only",
+                "the heights are those of the table, and asperity_height_std is the unit of separations only",
             );
         notes.push(found.from_origin(at.to_string()));
     }

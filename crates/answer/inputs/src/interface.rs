@@ -38,7 +38,7 @@ fn body(document: &Document<'_>, section: &str) -> Result<Body, SceneError> {
         Some(id) => {
             let mechanical = ["youngs_modulus", "poissons_ratio", "hardness", "yield_strength"];
             if let Some(name) = mechanical.into_iter().find(|name| document.has(&path(name))) {
-                let needed = "the material alone, or instead of it the numbers that `asperity list materials` lists, changed as needed,";
+                let needed = "the material alone, or instead of it its numbers in the list of materials, changed as needed,";
                 return Err(document.conflict(&path("material"), &path(name), needed));
             }
             named(&id).map(|material| material.body).ok_or_else(|| {

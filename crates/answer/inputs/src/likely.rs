@@ -119,7 +119,7 @@ const STEEPEST: f64 = 200.0;
 pub fn likely_angle(name: &str, gradient: f64) -> Option<Finding> {
     let (given, hint) = (short(gradient), angle_hint(gradient)?);
     let found = Finding::warning("likely-unit", name.to_string(), gradient);
-    let found = found.fact(format!("`{name}` is {given}, steeper than 45 degrees"));
+    let found = found.fact(format!("{name} is {given}, steeper than 45 degrees"));
     Some(found.advice(format!("{given} {hint}")))
 }
 

@@ -100,9 +100,9 @@ impl Material {
             || materials().iter().filter_map(|other| Some((other, (key.get)(&other.body)?)));
         let Some(own) = (key.get)(&self.body) else {
             let known: Vec<&str> = with_value().map(|(other, _)| &*other.id).collect();
-            let advice = format!("give `{name}` beside `{id}`, or use one of {}", known.join(", "));
+            let advice = format!("give {name} beside {id}, or use one of {}", known.join(", "));
             let found = Finding::note("no-conductivity", name, f64::NAN);
-            return Some(found.fact(format!("the material `{id}` has no `{name}`")).advice(advice));
+            return Some(found.fact(format!("the material {id} has no {name}")).advice(advice));
         };
         let is_alloy = |other: &Self| self.alloys.iter().any(|begins| other.id.starts_with(begins));
         // A conductivity falls and a resistivity rises.
@@ -111,7 +111,7 @@ impl Material {
         let (worst, least) = alloys.max_by(|one, other| less(one.1).total_cmp(&less(other.1)))?;
         let (times, worst) = (less(least), &worst.id);
         let fact = format!(
-            "`{id}` is the pure metal, whose alloys conduct up to {times:.1} times less (`{worst}`)"
+            "{id} is the pure metal, whose alloys conduct up to {times:.1} times less ({worst})"
         );
         let found = Finding::note("pure-metal", name, own).fact(fact);
         Some(found.advice("use the alloy of the body"))
@@ -147,7 +147,7 @@ pub fn materials_like(word: &str) -> Vec<&'static Material> {
 pub(crate) fn suggestion(unknown: &str) -> (Option<&'static str>, String) {
     let near = nearest_name(unknown, materials().iter().map(|material| &*material.id));
     let like: Vec<&str> = materials_like(unknown).iter().map(|material| &*material.id).collect();
-    let listed = || "a material that `asperity list materials` lists".into();
+    let listed = || "a material of the list".into();
     match like[..] {
         [] => (near, listed()),
         [only] => (Some(only), listed()),

@@ -98,14 +98,12 @@ impl SceneFile {
         }
         let (pairs, one) = of_pairs.zip(of_one)?;
         let fact = format!(
-            "`{pairs}` presses two surfaces with these asperities on each other, `{one}` one such surface on a flat"
+            "{pairs} presses two surfaces with these asperities on each other, {one} one such surface on a flat"
         );
         let found =
             Finding::note("other-joint", "asperity_radius", self.scene.surface.asperity_radius)
                 .fact(fact)
-                .advice(
-                    "describe the second surface by `counterface` to compare them on one joint",
-                );
+                .advice("describe the second surface by counterface to compare them on one joint");
         (!self.has_counterface()).then_some(found)
     }
 

@@ -119,7 +119,7 @@ impl ModelOptions {
         let which = if ids.is_empty() { "scenes".into() } else { ids.join(", ") };
         let refused = || SceneError::Refused {
             at: Place::field(option).into(),
-            reason: format!("does not change `{id}`; it is an option of {which}"),
+            reason: format!("does not change {id}; it is an option of {which}"),
         };
         ids.contains(&of_id).then_some(()).ok_or_else(refused)
     }

@@ -29,7 +29,7 @@ pub fn open_seam(scan: &Topography) -> Option<Finding> {
     );
     let found = Finding::warning("open-seam", "seam_step", step).fact(fact);
     Some(found.advice(
-        "slopes, curvatures and boundary elements include this step; remove `periodic` if it is not real",
+        "slopes, curvatures and boundary elements include this step; remove periodic if it is not real",
     ))
 }
 

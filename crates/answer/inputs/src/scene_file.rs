@@ -215,10 +215,8 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     if let Some(exponent) = options.hurst_exponent.filter(|_| is_map) {
         let at = document.place("options.hurst_exponent");
         let found = Finding::warning("hurst-exponent", "hurst_exponent", exponent)
-            .fact(
-                "`persson` and `persson-fudge` use a power law instead of the spectrum of the scan",
-            )
-            .advice("remove `hurst_exponent` to use the spectrum of the scan");
+            .fact("persson and persson-fudge use a power law instead of the spectrum of the scan")
+            .advice("remove hurst_exponent to use the spectrum of the scan");
         notes.push(found.from_origin(at.to_string()));
     }
     let gas = gas(document)?;

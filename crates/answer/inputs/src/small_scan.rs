@@ -45,7 +45,7 @@ impl SceneFile {
             .unit("m2")
             .usual([0.0, LARGER * of_scan])
             .fact(format!(
-                "`nominal_area` is {} times the area of the scan, and half of Sq^2 lies in waves longer than {} m, which is a third of the side of the scan or more",
+                "nominal_area is {} times the area of the scan, and half of Sq^2 lies in waves longer than {} m, which is a third of the side of the scan or more",
                 short(ratio),
                 short(long),
             ))

@@ -247,7 +247,7 @@ impl SceneFile {
         let is_alone = self.faces.len() == 1 && !self.spreads().is_empty();
         let found = Finding::note("smooth-counterface", "counterface", f64::NAN)
             .fact("the other surface is taken as smooth (by models of pairs as rough as this one)")
-            .advice("describe it as `counterface` if it is rough, too");
+            .advice("describe it as counterface if it is rough, too");
         is_alone.then_some(found)
     }
 
@@ -258,22 +258,17 @@ impl SceneFile {
     /// [`SceneError::Refused`] with the numbers that have ranges.
     pub fn need_known(&self) -> Result<(), SceneError> {
         match self.open_reason() {
-            Some(reason) => {
-                // Terms are marked in errors of the library only.
-                let reason = reason.replace('`', "");
-                Err(SceneError::Refused { at: Place::field("surface").into(), reason })
-            }
+            Some(reason) => Err(SceneError::Refused { at: Place::field("surface").into(), reason }),
             None => Ok(()),
         }
     }
 
     /// Why answers in single numbers are refused, if they are.
     pub(crate) fn open_reason(&self) -> Option<String> {
-        let names: Vec<String> =
-            self.spreads().iter().map(|(name, _)| format!("`{name}`")).collect();
+        let names: Vec<String> = self.spreads().iter().map(|(name, _)| format!("{name}")).collect();
         (!names.is_empty()).then(|| {
             format!(
-                "the surface is known within ranges only ({}), and this answer is a single number: use `curve`, `check`, `conductance` or `recommend` (`ranges` in Python), which answer with ranges, or give `rq`, `rdq` and `bandwidth` without a `finish`, whose lay leaves the slope open",
+                "the surface is known within ranges only ({}), and this answer is a single number: use curve, check, conductance or recommend (ranges in Python), which answer with ranges, or give rq, rdq and bandwidth without a finish, whose lay leaves the slope open",
                 names.join(", ")
             )
         })

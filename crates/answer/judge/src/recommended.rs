@@ -9,7 +9,10 @@ pub const DMT: &str = "dmt";
 pub const JKR: &str = "jkr";
 /// The same on separation.
 pub const JKR_SEPARATION: &str = "jkr-separation";
+/// Both limits of adhesion.
+pub const ADHESIVE: &str = "dmt or jkr";
 /// Boundary elements on a scan.
 pub const BEM: &str = "bem";
 /// For merging contacts and real areas near the nominal one; one theory has yielding.
-pub const WHOLE_SURFACE: &str = "bem, persson-plastic, or persson-fudge if nothing yields";
+pub const WHOLE_SURFACE: &str =
+    "boundary elements, persson-plastic, or persson-fudge if nothing yields";

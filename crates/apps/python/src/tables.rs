@@ -1,6 +1,6 @@
 //! Contact tables for finite-element codes, and sheets as tables of the package.
 
-use asperity::{AsWritten, Dialect, Severity};
+use asperity::Severity;
 use asperity_answer::{
     Cell, ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
 };
@@ -37,8 +37,7 @@ pub(crate) fn columns<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Bound<'py
 
 /// A sheet as the package's `Table`.
 pub(crate) fn table<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Table<'py>> {
-    let results = sheet.results.iter().map(|text| AsWritten.say(text)).collect();
-    Ok((columns(py, sheet)?, object(py, &sheet.findings)?, results))
+    Ok((columns(py, sheet)?, object(py, &sheet.findings)?, sheet.results.clone()))
 }
 
 /// Emits the warnings of a sheet that the scene does not accept.

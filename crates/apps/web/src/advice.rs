@@ -8,7 +8,7 @@ use asperity_inputs::SceneFile;
 use serde_json::{Value, json};
 
 use crate::answer::{Column, Known, Row, Source, quantities};
-use crate::dialect::{said, symbols};
+use crate::labels::symbols;
 use crate::message::Solved;
 use crate::refusal::Refusal;
 use crate::shown::{interval, percent, shown};
@@ -60,16 +60,16 @@ impl Best {
         let spreads = file.spreads();
         match corrected {
             _ if !spreads.is_empty() => {
-                let spread = |(name, ratio)| format!("`{name}` within {ratio:.1}");
+                let spread = |(name, ratio)| format!("{name} within {ratio:.1}");
                 let spreads = spreads.into_iter().map(spread).collect::<Vec<_>>().join(", ");
-                best.basis = said(&format!(
+                best.basis = symbols(&format!(
                     "Ranges by {}, of a surface with {spreads}; Rdq, or Rz with RSm, or a scan narrows them.",
                     best.model
                 ));
             }
             Ok(row) => best.take_evidence(file, &row),
             Err(reason) => {
-                let why = said(&reason.marked());
+                let why = symbols(&reason.to_string());
                 best.basis = format!("Values by {}: {why}.", best.model);
             }
         }

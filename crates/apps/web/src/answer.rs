@@ -1,15 +1,13 @@
 //! Values of models at loads, as `asperity curve` prints them.
 
 use asperity::recommended::JKR;
-use asperity::{
-    At, ContactError, Described, Finding, Findings, Quantity, Request, Severity, shortest_digits,
-};
+use asperity::{At, Described, Finding, Findings, Quantity, Request, Severity, shortest_digits};
 use asperity_answer::{ADHESIVE, Asked, ENDS, Line, NO_RANGE, OPENING, column_of_end};
 use asperity_inputs::SceneFile;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::dialect::{PAGE, said};
+use crate::labels::{message, symbols};
 use crate::refusal::Refusal;
 use crate::shown::ranged;
 use crate::span::Span;
@@ -94,7 +92,7 @@ impl Column {
 
     /// A value, or the reason why there is none.
     pub(crate) fn cell(&self, found: &Result<Known, String>) -> Value {
-        let none = |reason: &String| json!({ "quantity": self.id, "shown": said(reason) });
+        let none = |reason: &String| json!({ "quantity": self.id, "shown": symbols(reason) });
         found.as_ref().map_or_else(none, |known| self.known(known))
     }
 }
@@ -177,7 +175,7 @@ fn values(
             found.as_ref().map(|found| known(found.value(), Some(found.bound(*quantity))))
         });
         let all = [separation].into_iter().chain(values);
-        all.map(|found| found.map_err(ContactError::marked)).collect()
+        all.map(|found| found.map_err(|error| error.to_string())).collect()
     };
     let rows = middle.iter().enumerate().map(|(row, line)| {
         let ends: Vec<_> = ends.iter().map(|lines| of_line(&lines[row])).collect();
@@ -221,12 +219,12 @@ impl Row {
             _ => false,
         };
         let mark = found.iter().find(is_impossible).filter(|_| !file.findings().are_implausible());
-        row.mark = mark.map(|found| found.say(&PAGE));
+        row.mark = mark.map(|found| message(found, false));
         row.yields = found.iter().find(|one| one.code == "yields").map(|one| one.severity);
         let is_outside = |one: &&Finding| {
             one.is_of_model() && one.code != "yields" && one.severity != Severity::Note
         };
-        row.outside = found.iter().find(is_outside).map(|one| one.say(&PAGE));
+        row.outside = found.iter().find(is_outside).map(|one| message(one, false));
         // Those of the load name an area above the nominal one already.
         let is_new =
             |one: &Finding| one.severity < Severity::Note && one.code != "area-above-nominal";
@@ -235,7 +233,7 @@ impl Row {
         let (model, load) = (own.model(), at.load(&file.scene).unwrap_or_default());
         if row.cells.iter().all(Result::is_err) {
             let why = row.cells.first().and_then(|cell| cell.as_ref().err());
-            let why = why.map(|why| said(why)).unwrap_or_default();
+            let why = why.map(|why| symbols(why)).unwrap_or_default();
             row.reason = Some(match load < 0.0 {
                 true if !model.validity().adhesive => {
                     format!("models without adhesion carry no tension; use {ADHESIVE}")

@@ -15,7 +15,7 @@ use crate::message::{Message, Solved};
 use crate::refusal::Refusal;
 use crate::span::{Load, LoadKeys, Span};
 use crate::{
-    advice, answer, dialect, fields, law, link, picture, press, read_scene, scan_report,
+    advice, answer, fields, labels, law, link, picture, press, read_scene, scan_report,
     surface_keys, table,
 };
 
@@ -213,7 +213,10 @@ impl Desk {
         let rows: Vec<Row> = models.iter().map(|id| row(id)).collect();
         let corrected = corrected.entry(id).or_insert_with(|| match compiled.get(id) {
             Some(Ok(asked)) if scenes.len() == 1 => asked[0].corrected(file),
-            _ => Err(ContactError::NoEvidence { reason: format!("{id} has no values") }),
+            _ => Err(ContactError::NoEvidence {
+                property: "values",
+                reason: format!("{id} has no values"),
+            }),
         });
         let corrected = corrected.as_ref().map_err(Clone::clone).and_then(|of| of.at(load.at));
         let here = solved.iter().find(|solved| solved.pressure.total_cmp(&load.pascals).is_eq());
@@ -232,7 +235,7 @@ impl Desk {
             "load": load,
             "rows": rows.iter().map(shown).collect::<Value>(),
             "answer": answer,
-            "findings": dialect::findings(&findings, &file.converted),
+            "findings": labels::findings(&findings, &file.converted),
         }))
     }
 }

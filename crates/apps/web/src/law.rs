@@ -5,7 +5,7 @@ use asperity_inputs::SceneFile;
 use asperity_plot::{Axis, Curve, Figure, Mark, Panel, draw, look_of};
 use serde_json::{Value, json};
 
-use crate::dialect::{model_name, source};
+use crate::labels::{model_name, source};
 use crate::refusal::Refusal;
 use crate::shown::shown;
 

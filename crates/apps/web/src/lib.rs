@@ -7,9 +7,9 @@
 mod advice;
 mod answer;
 mod desk;
-mod dialect;
 mod fields;
 mod files;
+mod labels;
 mod law;
 mod link;
 mod message;

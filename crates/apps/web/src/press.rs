@@ -12,7 +12,7 @@ use asperity_topography::Topography;
 use serde_json::{Value, json};
 
 use crate::answer::{Column, Known, Source, quantities};
-use crate::dialect::PAGE;
+use crate::labels::finding;
 use crate::picture;
 use crate::random::MOST_PIXELS;
 use crate::refusal::Refusal;
@@ -132,7 +132,7 @@ fn solved(press: &Press<'_>, pressed: &Pressed) -> Result<Value, Refusal> {
     // From the plane of the models' separations, so that both are in one picture.
     let gap = Separation::metres(pressed.solution.mean_gap).from_surface_mean();
     let separation = gap.measured_in(SeparationUnit::Metres, file.separation_from, &file.scene);
-    let none = |error: ContactError| Cell::Blank(Some(error.marked().into()));
+    let none = |error: ContactError| Cell::Blank(Some(error.into()));
     heads.insert(2, "separation_m".into());
     row.insert(2, separation.map_or_else(none, |found| found.value.into()));
     let (mut columns, mut cells) = (vec![], vec![]);
@@ -147,7 +147,7 @@ fn solved(press: &Press<'_>, pressed: &Pressed) -> Result<Value, Refusal> {
             columns.push(column);
         }
     }
-    let notes: Value = pressed.notes.iter().map(|note| PAGE.finding(note)).collect();
+    let notes: Value = pressed.notes.iter().map(|note| finding(note, false)).collect();
     Ok(json!({
         "event": "solved",
         "pressure": row[1],

@@ -1,13 +1,13 @@
 //! A text as the page shows it: fields, findings, models and numbers of its scene.
 
-use asperity::{Body, DerivedNumber, Described, Dialect, HARDNESS_OVER_YIELD, Model};
+use asperity::{Body, DerivedNumber, Described, HARDNESS_OVER_YIELD, Model};
 use asperity_inputs::{BODY, Field, HandedFiles, Key, Material, SceneFile, parse_handed};
 use serde_json::{Value, json};
 
-use crate::dialect::{PAGE, model_name, model_sentence, said, symbols};
+use crate::labels::{model_name, model_sentence, symbols, term};
 use crate::refusal::Refusal;
 use crate::shown::{number, ranged, shown};
-use crate::{answer, dialect, fields, press, surface_keys};
+use crate::{answer, fields, labels, press, surface_keys};
 
 /// Reads a text: the values of all keys as typed, how the surface is described, the files that it
 /// names, and what its scene has. The scene is missing where the text has an error; its columns are
@@ -26,7 +26,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
     found["views"] = json!(columns);
     let derived = |of: &DerivedNumber| {
         let shown = ranged(of.value, of.ends, of.unit);
-        number(&PAGE.term(of.name), shown, of.value, &symbols(&of.meaning))
+        number(&term(of.name), shown, of.value, &symbols(&of.meaning))
     };
     match read {
         Ok(file) => {
@@ -36,7 +36,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
             let findings = file.accepted(findings);
             // Values follow from a number that cannot be meant.
             found["implausible"] = findings.are_implausible().into();
-            found["findings"] = dialect::findings(&findings, &file.converted);
+            found["findings"] = labels::findings(&findings, &file.converted);
             found["models"] = models(&file);
             // Of a csv of model, load, pressure and cells.
             found["head"] = answer::head(&file, &columns).into();
@@ -76,7 +76,7 @@ fn models(file: &SceneFile) -> Value {
         })
     };
     let left_out = left_out.iter().filter_map(|left_out| {
-        Some(shown(&left_out.id.parse().ok()?, Some(said(&left_out.reason.marked()))))
+        Some(shown(&left_out.id.parse().ok()?, Some(symbols(&left_out.reason.to_string()))))
     });
     allowed.iter().map(|model| shown(model, None)).chain(left_out).collect()
 }

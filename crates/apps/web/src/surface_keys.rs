@@ -7,8 +7,8 @@ use asperity_answer::rounded;
 use asperity_inputs::{KEYS, Key, SceneFile, Subject};
 use serde_json::{Value, json};
 
-use crate::dialect::symbols;
 use crate::fields::{edit, fields, files};
+use crate::labels::symbols;
 use crate::message::Change;
 use crate::random::RANDOM;
 use crate::refusal::Refusal;

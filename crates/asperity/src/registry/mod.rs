@@ -359,9 +359,8 @@ mod tests {
         };
         let models = |text| -> Vec<Model> {
             let ids = ids(text);
-            // Boundary elements need a scan and are not listed.
             ids.split(", ")
-                .filter(|id| *id != crate::recommended::BEM)
+                .filter(|id| *id != "boundary elements")
                 .map(|id| id.parse().unwrap())
                 .collect()
         };

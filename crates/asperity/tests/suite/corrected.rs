@@ -172,7 +172,7 @@ fn areas_carry_the_load_and_contacts_unload_at_least_as_stiff() {
         let model: Model = id.parse().unwrap();
         let corrected = Corrected::new(&model, scene, None, &Request::new(asked)).unwrap();
         let with_force = Request::new(asked.into_iter().chain([Quantity::Force]));
-        let contact = model.compile(scene, &with_force).unwrap();
+        let contact = model.compile(scene, &with_force).ok();
         // Random asperities take a hundred times as long.
         let every = if id == "ke-random" { 8 } else { 1 };
         for step in (1..=40).step_by(every) {
@@ -199,7 +199,9 @@ fn areas_carry_the_load_and_contacts_unload_at_least_as_stiff() {
                 assert!(tangent.value <= unloading.value, "{id} {load}: {tangent:?} {unloading:?}");
                 assert!(tangent.lower <= unloading.lower && tangent.upper <= unloading.upper);
                 // What is proportional to it is raised with it.
-                let own = |quantity| contact.evaluate(quantity, At::Load(load)).unwrap().value();
+                let own = |quantity| {
+                    contact.as_ref().unwrap().evaluate(quantity, At::Load(load)).unwrap().value()
+                };
                 let radii = value(Quantity::ContactRadiusSum).unwrap();
                 let wanted = unloading.value * own(Quantity::ContactRadiusSum)
                     / own(Quantity::UnloadingStiffness);

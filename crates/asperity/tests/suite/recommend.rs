@@ -135,9 +135,10 @@ fn what_the_solved_surfaces_do_not_determine_is_named_alone() {
 fn a_surface_unlike_the_solved_ones_has_no_evidence() {
     let known = advice(2.0, 0.05);
     assert!(known.evidence.iter().any(|place| place.expected.is_ok()), "{known}");
-    let without = known
-        .clone()
-        .without_evidence(&ContactError::NoEvidence { reason: "a kurtosis of 175".into() });
+    let without = known.clone().without_evidence(&ContactError::NoEvidence {
+        property: "kurtosis",
+        reason: "a kurtosis of 175".into(),
+    });
     let [reason] = &without.summary()[..] else { panic!("{without}") };
     assert!(reason.ends_with("a kurtosis of 175"), "{reason}");
     assert!(without.comparisons.iter().all(|found| found.off.is_empty()));

@@ -3,12 +3,11 @@
 use std::fmt;
 
 use asperity_quadrature::QuadratureError;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 
-use crate::{AsWritten, At, Dialect, Quantity, Separation, nearest_hint, short};
+use crate::{At, Quantity, Separation, nearest_hint, short};
 
-/// Why a contact problem was refused or could not be answered. Texts of requirements and reasons
-/// have their terms in backticks, as those of a [`Finding`](crate::Finding).
+/// Why a contact problem was refused or could not be answered.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
 #[serde(tag = "code", rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -20,7 +19,6 @@ pub enum ContactError {
         /// The value given.
         value: f64,
         /// The values accepted.
-        #[serde(serialize_with = "as_written")]
         required: &'static str,
     },
     /// A number in a table lies outside its range.
@@ -39,7 +37,6 @@ pub enum ContactError {
         /// Name of the input.
         field: &'static str,
         /// Which model or quantity needs it, or what to set.
-        #[serde(serialize_with = "as_written")]
         reason: String,
     },
     /// A quantity was read that the request does not list.
@@ -59,7 +56,6 @@ pub enum ContactError {
         /// The model.
         model: String,
         /// The quantity or service requested.
-        #[serde(serialize_with = "as_written")]
         what: String,
     },
     /// A ratio or a logarithm where no asperity is in contact.
@@ -94,13 +90,13 @@ pub enum ContactError {
         /// The model.
         model: String,
         /// The reason.
-        #[serde(serialize_with = "as_written")]
         reason: String,
     },
     /// No surface that was solved by boundary elements is like the one of the scene.
     NoEvidence {
+        /// The property that differs, by its name.
+        property: &'static str,
         /// What differs.
-        #[serde(serialize_with = "as_written")]
         reason: String,
     },
     /// An unknown name of a quantity.
@@ -174,40 +170,37 @@ pub enum ContactError {
     },
 }
 
-impl ContactError {
-    /// The text with its terms in backticks, for a [`Dialect`]; [`Display`](fmt::Display) is
-    /// that of [`AsWritten`].
-    #[must_use]
-    pub fn marked(&self) -> String {
-        match self {
+impl fmt::Display for ContactError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&match self {
             Self::OutOfRange { field, value, required } => {
-                format!("`{field}` is {value:?}: {required} was required")
+                format!("{field} is {value:?}: {required} was required")
             }
             Self::InTable { row, field, value, required } => {
                 format!("row {row}: {field} is {value:?}: {required} was required")
             }
-            Self::Missing { field, reason } => format!("`{field}` is missing: {reason}"),
+            Self::Missing { field, reason } => format!("{field} is missing: {reason}"),
             Self::NotRequested { quantity } => {
-                format!("`{quantity}` was not requested: add it to the request's quantities")
+                format!("{quantity} was not requested: add it to the request's quantities")
             }
-            Self::NoLaw { model, quantity } => format!("`{model}` has no law for `{quantity}`"),
-            Self::Unsupported { model, what } => format!("`{model}` cannot give {what}"),
+            Self::NoLaw { model, quantity } => format!("{model} has no law for {quantity}"),
+            Self::Unsupported { model, what } => format!("{model} cannot give {what}"),
             Self::NoValue { quantity, at } => {
-                format!("`{quantity}` has no value at {at:#}: no asperity is in contact there")
+                format!("{quantity} has no value at {at}: no asperity is in contact there")
             }
             Self::SeparationOutOfRange { separation, over_sigma } => format!(
-                "separation is {separation:#}{}: `-1e6 to 1e9 asperity_height_std` from the mean of the asperity heights was required",
+                "separation is {separation}{}: -1e6 to 1e9 asperity_height_std from the mean of the asperity heights was required",
                 in_sigmas(separation, *over_sigma)
             ),
             Self::BelowTable { field, separation, deepest } => format!(
-                "`{field}` is {separation:#}: {deepest:#} or more, the deepest separation of the table, was required"
+                "{field} is {separation}: {deepest} or more, the deepest separation of the table, was required"
             ),
-            Self::NoMeanPlane => "separations from the mean plane of the surface need `mean_plane_offset` with exponential and Weibull heights".into(),
-            Self::OtherAsperity => "interface or `asperity_radius` differs from the compiled scene, and its laws depend on them: compile the new scene".into(),
+            Self::NoMeanPlane => "separations from the mean plane of the surface need mean_plane_offset with exponential and Weibull heights".into(),
+            Self::OtherAsperity => "interface or asperity_radius differs from the compiled scene, and its laws depend on them: compile the new scene".into(),
             Self::Refused { model, reason } | Self::Option { model, reason } => {
-                format!("`{model}`: {reason}")
+                format!("{model}: {reason}")
             }
-            Self::NoEvidence { reason } => {
+            Self::NoEvidence { reason, .. } => {
                 format!("no boundary-element solution is close: {reason}")
             }
             Self::UnknownQuantity { name, near, known } => format!(
@@ -215,53 +208,43 @@ impl ContactError {
                 nearest_hint(*near)
             ),
             Self::UnknownModel { name, near } => {
-                let all = || ": `asperity list models` lists all".into();
-                let rest = near.as_ref().map_or_else(all, |near| nearest_hint(Some(near)));
+                let list = || ": see the list of models".into();
+                let rest = near.as_ref().map_or_else(list, |near| nearest_hint(Some(near)));
                 format!("model {name:?} is not known{rest}")
             }
             Self::Scale { quantity, scale } => format!(
-                "the scale of the `{quantity}` is {scale:e}, outside the range of f64: check the units of the inputs"
+                "the scale of the {quantity} is {scale:e}, outside the range of f64: check the units of the inputs"
             ),
             Self::Ratio { ratio } => format!(
-                "the law's interference unit over `asperity_height_std` is {ratio:e}: 1e-100 to 1e100 was required"
+                "the law's interference unit over asperity_height_std is {ratio:e}: 1e-100 to 1e100 was required"
             ),
             Self::OutOfReach { load, largest, at } => {
                 format!("load is {load:?} N{}", reach(*load, *largest, *at))
             }
             Self::Unresolved { from, to } => format!(
-                "law or heights vary too much between {from:#} and {to:#} to find every separation that carries the load: request the largest separation alone, or declare the kinks of the law and the breaks of the heights"
+                "law or heights vary too much between {from} and {to} to find every separation that carries the load: request the largest separation alone, or declare the kinks of the law and the breaks of the heights"
             ),
             Self::TooLight { load, smallest, at } => format!(
-                "load is {load:?} N: at least {} N, the force at the largest separation ({:#}), was required",
+                "load is {load:?} N: at least {} N, the force at the largest separation ({}), was required",
                 short(*smallest),
                 at.rounded()
             ),
-            Self::Integral { quantity, at, source } => format!("`{quantity}` at {at:#}: {source}"),
-        }
+            Self::Integral { quantity, at, source } => format!("{quantity} at {at}: {source}"),
+        })
     }
-}
-
-impl fmt::Display for ContactError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&AsWritten.say(&self.marked()))
-    }
-}
-
-fn as_written<S: Serializer>(marked: &impl AsRef<str>, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(&AsWritten.say(marked.as_ref()))
 }
 
 fn reach(load: f64, largest: f64, at: At) -> String {
     match (load < 0.0, largest < 0.0) {
         (false, _) => {
             format!(
-                ", above {} N, the largest force of the model, at {:#}",
+                ", above {} N, the largest force of the model, at {}",
                 short(largest),
                 at.rounded()
             )
         }
         (true, true) => {
-            format!(": the surfaces pull off at {} N, at {:#}", short(largest), at.rounded())
+            format!(": the surfaces pull off at {} N, at {}", short(largest), at.rounded())
         }
         // The tension is so large that the search ends where no asperity touches.
         (true, false) => ": a smaller tension, or a load above 0, was required".into(),
@@ -272,7 +255,7 @@ fn in_sigmas(separation: &Separation, over_sigma: f64) -> String {
     if *separation == Separation::sigmas(separation.value) || over_sigma.is_nan() {
         return String::new();
     }
-    format!(" (`{over_sigma:?} asperity_height_std`)")
+    format!(" ({over_sigma:?} asperity_height_std)")
 }
 
 /// `value` if it is finite and positive.

@@ -38,7 +38,7 @@ pub use engine::sweep::Sweep;
 pub use error::ContactError;
 #[doc(hidden)]
 pub use error::{integral_failed, positive};
-pub use finding::{AsWritten, Code, Dialect, Finding, Findings, Severity};
+pub use finding::{Advice, Code, Finding, Findings, Severity};
 pub use heights::HeightDistribution;
 pub use heights::other::{Heights, OtherHeights};
 #[cfg(feature = "statrs")]

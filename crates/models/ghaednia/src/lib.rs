@@ -48,7 +48,7 @@ impl FittedLaw {
         let (strength, modulus) = (asperity.yield_strength()?, asperity.equivalent_modulus);
         let tangent = asperity.tangent_modulus.ok_or_else(|| ContactError::Missing {
             field: "tangent_modulus",
-            reason: "ghaednia needs two bodies with the same `youngs_modulus` and `poissons_ratio`, and a `tangent_modulus` of the softer one, or the same of both if they are equally hard".into(),
+            reason: "ghaednia needs two bodies with the same youngs_modulus and poissons_ratio, and a tangent_modulus of the softer one, or the same of both if they are equally hard".into(),
         })?;
         let c = 1.295 * (0.736 * asperity.poissons_ratio).exp();
         let strain = 0.5 * PI * c * strength / modulus;

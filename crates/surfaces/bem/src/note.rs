@@ -68,7 +68,7 @@ pub(crate) fn of_map(
             .usual([LEAST_WAVELENGTH, f64::INFINITY])
             .fact(format!("the shortest waves are {} pixels long", below(pixels, LEAST_WAVELENGTH)))
             .advice(format!(
-                "at least {LEAST_WAVELENGTH} are needed, or results depend on the grid; set `smooth`, the shortest wave kept, to {} m ({SMOOTHED} pixels) or more, or refine the grid",
+                "at least {LEAST_WAVELENGTH} are needed, or results depend on the grid; set smooth, the shortest wave kept, to {} m ({SMOOTHED} pixels) or more, or refine the grid",
                 short(SMOOTHED * map.pixel()[0].max(map.pixel()[1]))
             ))
     });

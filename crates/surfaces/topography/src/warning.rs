@@ -1,6 +1,6 @@
 //! Warnings about scans.
 
-use asperity_core::{Finding, Surface};
+use asperity_core::{Advice, Finding, Surface};
 
 use crate::outliers::MATTERS;
 use crate::{Level, Moments, Outliers, Texture, TopographyError};
@@ -110,9 +110,8 @@ pub(crate) fn outliers(found: &Outliers) -> Option<Finding> {
             "{count} {points} far outside the neighbouring heights (up to {:.3e} m {side}) and {have} {percent:.1} % of m4 and {of_kurtosis:.1} % of the kurtosis",
             largest.abs()
         ))
-        .advice(format!(
-            "{spoilt} these points, not the surface; `despike = true (--despike)` replaces them"
-        ));
+        .advice(format!("{spoilt} these points, not the surface"))
+        .to_do(Advice::Despike);
     found.matter().then_some(warning)
 }
 

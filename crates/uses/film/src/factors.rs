@@ -118,15 +118,15 @@ fn far(z: f64) -> f64 {
 /// # Errors
 /// [`ContactError::OutOfRange`] for H below 0.75, and for γ outside 0.9 to 1.1.
 pub fn friction_pressure_factor(film: f64, gamma: f64) -> Result<f64, ContactError> {
-    let required = "0.9 to 1.1, as of isotropic surfaces, for `friction-pressure-factor`,";
+    let required = "0.9 to 1.1, as of isotropic surfaces, for friction-pressure-factor,";
     within(GAMMA, gamma, (0.9..=1.1).contains(&gamma), required)?;
-    at_least(film, (0.75, "at least 0.75, the range of the fit of `friction-pressure-factor`,"))?;
+    at_least(film, (0.75, "at least 0.75, the range of the fit of friction-pressure-factor,"))?;
     Ok(1.0 - 1.40 * (-0.66 * film).exp())
 }
 
 const GAMMA: &str = "peklenik_number";
 pub(crate) const CUT_OFF: &str = "friction_cut_off";
-const FILM: &str = "film over `surface_height_std`";
+const FILM: &str = "film over surface_height_std";
 /// The least H of a fit, and its range.
 const FROM_HALF: (f64, &str) = (0.5, "at least 0.5, the range of the fits,");
 const FROM_1: (f64, &str) = (1.0, "at least 1, the range of the fits for a lay across the flow,");

@@ -1,7 +1,7 @@
 //! Doubts about a fit, as findings: it did not converge, a parameter is at a bound, the data do not
 //! determine a parameter.
 
-use asperity_core::{AsWritten, ContactError, Dialect, Finding, Findings, short};
+use asperity_core::{ContactError, Finding, Findings, short};
 
 use crate::solution::Solution;
 
@@ -72,7 +72,6 @@ impl Solution<'_> {
 fn plain(reason: &ContactError) -> String {
     match reason {
         ContactError::OutOfRange { field, value, required } => {
-            let required = AsWritten.say(required);
             format!("{field} would be {}: {required} is required", short(*value))
         }
         other => other.to_string(),

@@ -78,7 +78,7 @@ impl AsperityLaws {
             ));
         }
         let one = model.asperity_model().ok_or_else(|| {
-            unsupported("these need a model of asperities of one radius, such as `ke`")
+            unsupported("these need a model of asperities of one radius, such as ke")
         })?;
         let sum = model.sum_of_contacts();
         let force = tabulated(one.force(&asperity, tolerance)?);

@@ -86,7 +86,7 @@ impl Correlation {
         roughness: &GapRoughness,
         pressure: f64,
     ) -> Result<CorrelationValue, ContactError> {
-        let (field, reason) = ("thermal_conductivity", format!("`{}` needs it", self.id()));
+        let (field, reason) = ("thermal_conductivity", format!("{} needs it", self.id()));
         let conductivity = scene.interface.thermal_conductivity;
         let conductivity = conductivity.ok_or(ContactError::Missing { field, reason })?;
         let asperity = scene.asperity()?;
@@ -195,8 +195,8 @@ impl Correlating {
         let found = |field, value| Finding::warning("correlation", field, value).of_model(of.id());
         let foreign = of.foreign(&self.scene).map(|index| {
             let kind = of.other_contacts();
-            let fact = format!("`plasticity_index` is {}: the contacts are {kind}", short(index));
-            found("plasticity_index", index).fact(fact).advice("use the other correlation, or `ke`")
+            let fact = format!("plasticity_index is {}: the contacts are {kind}", short(index));
+            found("plasticity_index", index).fact(fact).advice("use the other correlation, or ke")
         });
         let relative = |at: &At| {
             let pressure = at.pressure(&self.scene)?;

@@ -35,7 +35,7 @@ pub fn unranked(codes: &[Vec<&str>]) -> Option<[&'static str; 2]> {
     match codes {
         _ if codes.iter().any(|codes| has(&COARSE, codes)) => Some([
             "the grid is too coarse for the shortest waves of the scan",
-            "set `smooth`, the shortest wave kept, to 16 pixels or more, or measure on smaller pixels",
+            "set smooth, the shortest wave kept, to 16 pixels or more, or measure on smaller pixels",
         ]),
         _ if codes.iter().all(|codes| has(&FEW, codes)) => {
             Some(["too few pixels or patches are in contact", "raise the load"])
@@ -135,7 +135,7 @@ fn lines(
         let reason = table.iter().find_map(|place| place.expected.as_ref().err());
         let reason = reason.map_or_else(String::new, |reason| match reason {
             ContactError::Refused { reason, .. } => reason.clone(),
-            reason => reason.marked(),
+            reason => reason.to_string(),
         });
         return Ok(vec![format!("the solved surfaces do not cover this scan: {reason}")]);
     };

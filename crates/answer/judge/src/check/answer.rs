@@ -241,7 +241,7 @@ impl Check {
                     "the asperities that carry the top 1 % of the load are pressed in by more than {} times their radius",
                     short(w / r)
                 ))
-                .advice("laws of spherical asperities do not hold so deep; `persson-plastic` and `bem` have no asperities");
+                .advice("laws of spherical asperities do not hold so deep; boundary elements and persson-plastic have none");
             self.extend([deep]);
         }
         let critical = scene.asperity().and_then(|asperity| asperity.critical_interference());

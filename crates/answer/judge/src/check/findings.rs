@@ -1,7 +1,7 @@
 //! Findings about a model's answer at a place.
 
-use crate::recommended::{DMT, JKR, WHOLE_SURFACE, YIELDING};
-use asperity_core::{At, ContactModel, Finding, KnownDefect, Scene, Severity, short};
+use crate::recommended::{ADHESIVE, DMT, JKR, WHOLE_SURFACE, YIELDING};
+use asperity_core::{Advice, At, ContactModel, Finding, KnownDefect, Scene, Severity, short};
 
 /// Area fraction above which asperities interact.
 const CROWDED: f64 = 0.1;
@@ -35,9 +35,8 @@ pub(super) fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding>
         let found = Finding::warning("sticks", "adhesion_parameter", theta)
             .usual([HIDDEN, f64::INFINITY])
             .of_model(model.id())
-            .advice(format!(
-                "this model ignores `work_of_adhesion`, which matters here; use {DMT} or {JKR}"
-            ));
+            .advice("this model ignores work_of_adhesion, which matters here")
+            .to_do(Advice::UseModels(ADHESIVE));
         return Some(found);
     };
     let tabor = scene.asperity().ok()?.tabor_parameter()?;
@@ -45,7 +44,8 @@ pub(super) fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding>
     let found = Finding::warning("tabor", "tabor_parameter", tabor)
         .usual([least, most])
         .of_model(model.id())
-        .advice(format!("outside the range of this model; use {other}"));
+        .advice("outside the range of this model")
+        .to_do(Advice::UseModels(other));
     (!(least..=most).contains(&tabor)).then_some(found)
 }
 
@@ -59,11 +59,12 @@ pub(super) fn share_above(multiple: f64) -> f64 {
 
 /// A finding for a load on yielding asperities with an elastic model.
 pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Finding> {
-    let others = match model.validity().adhesive {
+    let adhesive = model.validity().adhesive;
+    let others = match adhesive {
         true => format!(
-            "; no model has both yielding and adhesion; use `{YIELDING}` if `adhesion_parameter` is above {HIDDEN}"
+            "; no model has both yielding and adhesion; where roughness hides adhesion (adhesion_parameter above {HIDDEN}), use {YIELDING}"
         ),
-        false => format!("; to describe it, use `{YIELDING}`"),
+        false => String::new(),
     };
     let carriers = match model.validity().asperities {
         true => "yielding asperities",
@@ -77,7 +78,8 @@ pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Fin
         .severity(severity)
         .usual([0.0, YIELDS[0]])
         .fact(format!("{carriers} carry {} % of the force", short(100.0 * share)))
-        .advice(format!("`{}` ignores yielding{chance}{others}", model.id()));
+        .advice(format!("{} ignores yielding{chance}{others}", model.id()));
+    let found = if adhesive { found } else { found.to_do(Advice::UseModels(YIELDING)) };
     (share > YIELDS[0]).then_some(found)
 }
 
@@ -95,7 +97,7 @@ pub(super) fn missed(
         .fact(format!(
             "asperities with interferences from {from} to {to} w_c carry {percent} % of the force"
         ))
-        .advice(format!("`{}` {summary}", model.id()));
+        .advice(format!("{} {summary}", model.id()));
     (share > MISSED).then_some(found)
 }
 
@@ -115,7 +117,7 @@ pub(super) fn beyond_fit(
         .fact(format!(
             "asperities with interferences beyond {limit} w_c carry {percent} % of the force"
         ))
-        .advice(format!("beyond this interference `{name}` {continued}"));
+        .advice(format!("beyond this interference {name} {continued}"));
     (share > BEYOND).then_some(found)
 }
 
@@ -128,9 +130,8 @@ pub(super) fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option
     let found = warning((model, at), "crowded", "area_fraction", fraction)
         .usual([0.0, CROWDED])
         .fact(format!("the real area is {area} the nominal area"))
-        .advice(format!(
-            "{meaning}, and models of independent asperities do not hold; use `{WHOLE_SURFACE}`"
-        ));
+        .advice(format!("{meaning}, and models of independent asperities do not hold"))
+        .to_do(Advice::UseModels(WHOLE_SURFACE));
     (fraction > CROWDED).then_some(found)
 }
 
@@ -139,7 +140,8 @@ pub(super) fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Op
     let found = warning((model, at), "above-hardness", "mean_pressure_over_hardness", ratio)
         .usual([0.0, PLASTIC])
         .fact(format!("the mean pressure on the real area is {} times the hardness", short(ratio)))
-        .advice(format!("the contacts would yield, and the real area is larger; use `{YIELDING}`"));
+        .advice("the contacts would yield, and the real area is larger")
+        .to_do(Advice::UseModels(YIELDING));
     (ratio > PLASTIC).then_some(found)
 }
 

@@ -258,14 +258,14 @@ fn which_adhesion(scene: &Scene) -> Option<Finding> {
     let limit = Scene::HIDES_ADHESION;
     let advice = match hides {
         true => format!(
-            "roughness hides adhesion (`adhesion_parameter` is {theta}, above {limit}), and models without it hold; to include it, {advice}"
+            "roughness hides adhesion (adhesion_parameter is {theta}, above {limit}), and models without it hold; to include it, {advice}"
         ),
         false => format!(
-            "{advice}; other models ignore `work_of_adhesion`, which matters here (`adhesion_parameter` is {theta}, below {limit})"
+            "{advice}; other models ignore work_of_adhesion, which matters here (adhesion_parameter is {theta}, below {limit})"
         ),
     };
     let found =
         Finding::note("adhesion", "tabor_parameter", tabor).usual([LEAST_TABOR, MOST_TABOR]);
-    let fact = format!("`tabor_parameter` is {}", short(tabor));
+    let fact = format!("the Tabor parameter is {}", short(tabor));
     Some(found.fact(fact).advice(advice))
 }

@@ -92,7 +92,7 @@ fn together(modulus: (Input<'_>, f64), (input, strength): (Input<'_>, f64)) -> F
     let numbers = [modulus, (input, strength)];
     let ratio = ratios(e).map(short);
     let advice = format!(
-        "`{}` over modulus is {}, where {} to {} is usual; {CHECK_UNIT}",
+        "{} over modulus is {}, where {} to {} is usual; {CHECK_UNIT}",
         input.field,
         short(strength / e),
         ratio[0],

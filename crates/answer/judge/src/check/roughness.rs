@@ -57,7 +57,7 @@ impl Plausible for Surface {
         let Some(found) = found else { return plain_findings(self) };
         let odd = criteria(self).into_iter().rfind(is_odd).map(|(input, value, _)| {
             let ([from, to], value) = (input.usual.map(short), short(value));
-            format!("`{}` is {value}, where {from} to {to} is usual; {CHECK_UNIT}", input.field)
+            format!("{} is {value}, where {from} to {to} is usual; {CHECK_UNIT}", input.field)
         });
         let advice = odd.unwrap_or_default();
         found.into_iter().map(|found| found.advice(advice.clone())).collect()
@@ -75,7 +75,7 @@ fn criteria(surface: &Surface) -> [(Input<'static>, f64, &'static str); 6] {
         (
             derived("roughness_parameter", Surface::USUAL_ASPERITY_ROUGHNESS),
             surface.roughness_parameter(),
-            "one of `asperity_density`, `asperity_radius` and `asperity_height_std` is wrong, or the scan is noisy or too coarse",
+            "one of asperity_density, asperity_radius and asperity_height_std is wrong, or the scan is noisy or too coarse",
         ),
         (
             derived("height_std_over_radius", [0.0, 1.0]),

@@ -123,11 +123,11 @@ impl Coordinates {
     ) -> Result<Self, ContactError> {
         if shape.is_none() && !matches!(scene.heights, HeightDistribution::Gaussian) {
             let reason = "the heights are not Gaussian, and the skewness of the surface is unknown";
-            return Err(ContactError::NoEvidence { reason: reason.into() });
+            return Err(ContactError::NoEvidence { property: "skewness", reason: reason.into() });
         }
         if scene.adhesion_parameter().is_some_and(|theta| theta < Scene::HIDES_ADHESION) {
             let reason = "the surfaces adhere, the solved surfaces do not";
-            return Err(ContactError::NoEvidence { reason: reason.into() });
+            return Err(ContactError::NoEvidence { property: "adhesion", reason: reason.into() });
         }
         let asperity = scene.asperity()?;
         let moments = scene.surface.moments();
@@ -179,32 +179,34 @@ impl Evidence {
             true => String::new(),
             false => format!(" of a surface with {}", place.shape.differences().join(" and ")),
         };
-        let plasticity = format!("`plasticity_index`{of_shape}");
         let ([lightest, load], [_, hardness]) =
             (range(|place| place.load), range(Coordinates::of_hardness));
         let SurfaceShape { skewness, slope_skewness, slope_ratio, .. } = place.shape;
         let reason = (place.load * LIGHTER < lightest).then(|| {
-            format!(
+            let reason = format!(
                 "p/(E g) = {:.1e}; solved down to {lightest:.0e}, and extrapolated to a load {LIGHTER} times lighter",
                 place.load
-            )
+            );
+            ("p/(E g)", reason)
         });
         let ranges = [
-            ("alpha (m0 m4/m2^2)", place.alpha, range(|place| place.alpha), BEYOND),
+            ("alpha (m0 m4/m2^2)", "", place.alpha, range(|place| place.alpha), BEYOND),
             // Smaller indices are nearly elastic, and lighter loads have constant ratios.
-            (&plasticity, place.index, [0.0, index], BEYOND_INDEX),
-            ("p/(E g)", place.load, [0.0, load], BEYOND),
-            ("p/H", place.of_hardness(), [0.0, hardness], BEYOND),
-            ("the ratio of slopes", slope_ratio, range(|place| place.shape.slope_ratio), BEYOND),
+            ("plasticity_index", &of_shape, place.index, [0.0, index], BEYOND_INDEX),
+            ("p/(E g)", "", place.load, [0.0, load], BEYOND),
+            ("p/H", "", place.of_hardness(), [0.0, hardness], BEYOND),
+            ("the ratio of slopes", "", slope_ratio, range(|p| p.shape.slope_ratio), BEYOND),
         ];
         let reason = reason.or_else(|| ranges.into_iter().find_map(outside)).or_else(|| {
             let [low, high] = range(|place| place.shape.skewness);
             let used = low - BEYOND_SKEWNESS..=high + BEYOND_SKEWNESS;
             let named = [("skewness", skewness), ("skewness of the slopes", slope_skewness)];
             let outside = named.into_iter().find(|(_, skewness)| !used.contains(skewness));
-            outside.map(|(name, x)| format!("{name} = {x:.1}; solved range {low} to {high}"))
+            outside
+                .map(|(name, x)| (name, format!("{name} = {x:.1}; solved range {low} to {high}")))
         });
-        reason.map_or(Ok(()), |reason| Err(ContactError::NoEvidence { reason }))
+        let refused = |(property, reason)| Err(ContactError::NoEvidence { property, reason });
+        reason.map_or(Ok(()), refused)
     }
 }
 
@@ -213,8 +215,11 @@ pub(crate) fn gradient(moments: &ProfileMoments) -> f64 {
     (2.0 * moments.m2).sqrt()
 }
 
-/// The reason why a value above 0 has no evidence, outside a range by more than this factor.
-fn outside((field, value, [low, high], beyond): (&str, f64, [f64; 2], f64)) -> Option<String> {
+/// The property and the reason why a value above 0 of some surfaces has no evidence, outside a range
+/// by more than this factor.
+fn outside(
+    (property, of, value, [low, high], beyond): (&'static str, &str, f64, [f64; 2], f64),
+) -> Option<(&'static str, String)> {
     let (least, most) = (low / beyond, high * beyond);
     if value <= 0.0 || (least..=most).contains(&value) {
         return None;
@@ -225,10 +230,11 @@ fn outside((field, value, [low, high], beyond): (&str, f64, [f64; 2], f64)) -> O
         large if large >= 1e4 => short(large),
         usual => format!("{usual:.1}"),
     });
-    Some(match least > 0.0 {
-        true => format!("{field} = {value}; solved range {low} to {high}"),
-        false => format!("{field} = {value}; solved up to {high}"),
-    })
+    let reason = match least > 0.0 {
+        true => format!("{property}{of} = {value}; solved range {low} to {high}"),
+        false => format!("{property}{of} = {value}; solved up to {high}"),
+    };
+    Some((property, reason))
 }
 
 /// E g/H of a solved surface: its material has ν = 0.3, on which ψ depends through S.

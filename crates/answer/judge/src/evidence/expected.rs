@@ -151,7 +151,7 @@ impl Evidence {
         let mut place = Coordinates::of_scene(scene, shape, pressure)?;
         if let Some(few) = contacts.filter(|contacts| *contacts < 1.0) {
             let reason = format!("less than one asperity touches ({})", short(few));
-            return Err(ContactError::NoEvidence { reason });
+            return Err(ContactError::NoEvidence { property: "contacts", reason });
         }
         place.contacts = contacts.unwrap_or(f64::INFINITY);
         self.check(&place)?;
@@ -198,7 +198,7 @@ impl Evidence {
                 }
                 _ => "no surface like this one was solved".into(),
             };
-            return Err(ContactError::NoEvidence { reason });
+            return Err(ContactError::NoEvidence { property: "contacts", reason });
         }
         Ok(ExpectedContact {
             alpha: place.alpha,

@@ -6,7 +6,7 @@ use crate::{
     Compared, Comparison, EvidenceAt, ExpectedContact, Ratio, Recommendation, Weighed,
     ranking::{self, words},
 };
-use asperity_core::{AsWritten, ContactError, Dialect};
+use asperity_core::ContactError;
 
 impl<M: Weighed> Recommendation<M> {
     /// Which model to use, in one sentence: the nearest to boundary elements or, without evidence,
@@ -42,9 +42,9 @@ impl<M: Weighed> Recommendation<M> {
         let rest = match (outside, invalid) {
             (None, _) if is_nearest => String::new(),
             (None, _) => format!("; {alike}"),
-            (Some(why), Some(_)) => format!(", but does not hold here (`{}`)", why.code),
+            (Some(why), Some(_)) => format!(", but does not hold here ({})", why.code),
             (Some(why), None) => {
-                format!(", but does not hold here (`{}`); of the models that do, {alike}", why.code)
+                format!(", but does not hold here ({}); of the models that do, {alike}", why.code)
             }
         };
         let merging = match (&self.merging, self.evidence.len()) {
@@ -53,7 +53,7 @@ impl<M: Weighed> Recommendation<M> {
             (None, _) => "",
         };
         let text = text(first)?;
-        Some(AsWritten.say(&format!("{text} is nearest to boundary elements{rest}{merging}")))
+        Some(format!("{text} is nearest to boundary elements{rest}{merging}"))
     }
 
     /// Which model is the simplest within the limit of the reference, in one sentence.
@@ -82,27 +82,17 @@ impl<M: Weighed> Recommendation<M> {
     /// surfaces do not determine.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
-        let asked = Compared::RANKED.into_iter().filter(|(of, _)| self.compared.contains(of));
-        let marked = self.summary_named(&asked.collect::<Vec<_>>());
-        marked.iter().map(|line| AsWritten.say(line)).collect()
-    }
-
-    /// The lines of [`Recommendation::summary`] with other names of the quantities, and with terms
-    /// marked for a [`Dialect`].
-    #[must_use]
-    pub fn summary_named(&self, names: &[(Compared, &str)]) -> Vec<String> {
         let mut groups: Vec<Vec<&EvidenceAt>> = vec![];
         for place in self.evidence.iter().filter(|place| place.expected.is_err()) {
-            let same = |group: &&mut Vec<&EvidenceAt>| {
-                reason(&group[0].expected) == reason(&place.expected)
-            };
+            let same = |group: &&mut Vec<&EvidenceAt>| alike(group[0], place);
             match groups.iter_mut().find(same) {
                 Some(group) => group.push(place),
                 None => groups.push(vec![place]),
             }
         }
         let mut lines: Vec<String> = groups.iter().map(|group| self.without(group)).collect();
-        lines.extend(names.iter().filter_map(|name| self.nearest(*name)));
+        let asked = Compared::RANKED.into_iter().filter(|(of, _)| self.compared.contains(of));
+        lines.extend(asked.filter_map(|named| self.nearest(named)));
         lines.extend(self.compared.iter().filter_map(|quantity| self.undetermined(*quantity)));
         lines
     }
@@ -197,10 +187,10 @@ impl<M: Weighed> Recommendation<M> {
     fn without(&self, group: &[&EvidenceAt]) -> String {
         let [first, last] = [0, group.len() - 1].map(|k| group[k].at.rounded());
         let (error, reason) = match &group[0].expected {
-            Err(ContactError::NoEvidence { reason }) => {
+            Err(ContactError::NoEvidence { reason, .. }) => {
                 ("no boundary-element solution is close", reason)
             }
-            Err(error) => return error.marked(),
+            Err(error) => return error.to_string(),
             Ok(_) => return String::new(),
         };
         let places = match (group.len(), self.evidence.len()) {
@@ -217,10 +207,13 @@ fn percent(share: f64) -> f64 {
     (1e5 * share).round() / 1e3
 }
 
-/// The reason for no evidence, up to the numbers, which are each place's own.
-fn reason(expected: &Result<ExpectedContact, ContactError>) -> Option<String> {
-    let text = expected.as_ref().err()?.to_string();
-    text.split(|c: char| c.is_ascii_digit()).next().map(str::to_string)
+/// Whether two places have no evidence for the same reason, up to the numbers of each.
+fn alike(one: &EvidenceAt, other: &EvidenceAt) -> bool {
+    let property = |place: &EvidenceAt| match place.expected {
+        Err(ContactError::NoEvidence { property, .. }) => Some(property),
+        _ => None,
+    };
+    property(one) == property(other) && (property(one).is_some() || one.expected == other.expected)
 }
 
 impl<M: Weighed> fmt::Display for Recommendation<M> {

@@ -88,9 +88,7 @@ impl Scales {
                     );
                 }
                 (Err(reason), ..) => {
-                    let reason =
-                        format!("{CUTOFF} {cutoff:e}: {}", output::summary(&reason.into()));
-                    blanks.count("value", reason);
+                    blanks.count("value", &reason, format!("{CUTOFF} {cutoff:e}: {reason}"));
                 }
                 _ => {}
             }

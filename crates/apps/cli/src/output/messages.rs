@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::sync::{Mutex, OnceLock};
 
-use asperity::{AsWritten, Code, Dialect, Finding, Severity};
+use asperity::{Advice, Code, Finding, Severity};
 use clap::Args;
 
 /// How the program treats warnings and notes.
@@ -56,7 +56,7 @@ pub fn print_error(text: &str) {
 /// Results that no column has, each on a line.
 pub fn print_results(results: &[String]) {
     if !is_quiet() {
-        results.iter().for_each(|text| drop(writeln!(io::stderr(), "{}", AsWritten.say(text))));
+        results.iter().for_each(|text| drop(writeln!(io::stderr(), "{text}")));
     }
 }
 
@@ -76,8 +76,18 @@ pub fn show<'a>(found: impl IntoIterator<Item = &'a Finding>) {
             codes.insert(*code);
         }
         if *severity == Severity::Refusal || !is_quiet {
-            let _ = writeln!(io::stderr(), "{severity}[{code}]: {found}");
+            let text = found.worded(&found.field, words);
+            let _ = writeln!(io::stderr(), "{severity}[{code}]: {text}");
         }
+    }
+}
+
+/// The commands and options that do what is advised.
+fn words(advice: Advice) -> String {
+    match advice {
+        Advice::CompareCutOffs => "compare cut-offs with `asperity surface --scales`".into(),
+        Advice::Despike => "despike = true (--despike) replaces them".into(),
+        other => other.to_string(),
     }
 }
 

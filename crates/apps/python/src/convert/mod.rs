@@ -3,7 +3,7 @@
 pub(crate) mod axis;
 pub(crate) mod numbers;
 
-use asperity::{ContactError, Finding, Quantity, Request, Tolerance};
+use asperity::{Advice, ContactError, Finding, Quantity, Request, Tolerance};
 use asperity_quadrature::QuadratureError;
 use pyo3::create_exception;
 use pyo3::exceptions::{PyRuntimeError, PyUserWarning, PyValueError};
@@ -66,7 +66,12 @@ pub(crate) fn warn_unless(
 
 /// The text of a warning, which filters of warnings find by its code.
 pub(crate) fn warning(found: &Finding) -> String {
-    format!("{}: {found}", found.code)
+    let words = |advice: Advice| match advice {
+        Advice::CompareCutOffs => "compare cut-offs with Topography.filtered".into(),
+        Advice::Despike => "Topography.despiked or despike=True replaces them".into(),
+        other => other.to_string(),
+    };
+    format!("{}: {}", found.code, found.worded(&found.field, words))
 }
 
 /// The dict, list or number of a serialisable value; None for NaN. Keys are sorted.

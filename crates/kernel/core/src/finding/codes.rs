@@ -2,8 +2,7 @@
 
 use crate::text::{nearest_hint, nearest_name};
 
-/// A code of warnings and notes. In its texts, terms stand in backticks for a
-/// [`Dialect`](super::Dialect).
+/// A code of warnings and notes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Code {
     /// Its name, in lower case with dashes: `few-contacts`.
@@ -33,7 +32,7 @@ impl Code {
     pub fn named(name: &str) -> Result<Self, String> {
         Self::all().find(|code| code.name == name).ok_or_else(|| {
             let near = nearest_hint(nearest_name(name, Self::all().map(|code| code.name)));
-            format!("{name:?} is no code of a finding{near}: `asperity list findings` lists all")
+            format!("{name:?} is no code of a finding{near}: see the list of findings")
         })
     }
 }

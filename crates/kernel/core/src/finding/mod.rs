@@ -1,8 +1,8 @@
 //! Findings: refusals, warnings and notes about scans, scenes, laws and answers.
 
+mod advice;
 mod codes;
 mod collection;
-mod dialect;
 mod json;
 
 use std::borrow::Cow;
@@ -10,9 +10,9 @@ use std::fmt;
 
 use serde::Serialize;
 
+pub use self::advice::Advice;
 pub use self::codes::Code;
 pub use self::collection::Findings;
-pub use self::dialect::{AsWritten, Dialect};
 pub(crate) use crate::text::short;
 use crate::{At, Quantity};
 
@@ -42,9 +42,9 @@ impl fmt::Display for Severity {
 /// consequence and the remedy. Values stand, whatever the severity; a refusal is the reason why
 /// there is none.
 ///
-/// The text is `origin: model: fact where: advice`, without parts that are not set; the default
-/// fact is the number with its usual range. It is made in the terms of its reader
-/// ([`say`](Self::say)): terms in facts, advice and likely units stand in backticks.
+/// The text is `origin: model: fact where: meaning; advice`, without parts that are not set; the
+/// default fact is the number with its usual range. Front ends have [their own words](Self::worded)
+/// for the field and for advice that differs from place to place.
 ///
 /// ```
 /// use asperity_core::{At, Finding};
@@ -83,7 +83,8 @@ pub struct Finding {
     /// Other models or bodies with the same, not more severe finding.
     pub also: Vec<String>,
     fact: Option<Cow<'static, str>>,
-    advice: Cow<'static, str>,
+    meaning: Cow<'static, str>,
+    advice: Option<Advice>,
     /// A unit that explains the value, in place of the advice: "210 looks like GPa; ..".
     pub likely_unit: Option<String>,
     implausible: bool,
@@ -124,7 +125,8 @@ impl Finding {
             origin: None,
             also: vec![],
             fact: None,
-            advice: "".into(),
+            meaning: "".into(),
+            advice: None,
             likely_unit: None,
             implausible: false,
         }
@@ -203,10 +205,16 @@ impl Finding {
         Self { fact: Some(fact.into()), ..self }
     }
 
-    /// With the meaning and the remedy.
+    /// With the meaning, and the remedy as far as it is the same everywhere.
     #[must_use]
-    pub fn advice(self, advice: impl Into<Cow<'static, str>>) -> Self {
-        Self { advice: advice.into(), ..self }
+    pub fn advice(self, meaning: impl Into<Cow<'static, str>>) -> Self {
+        Self { meaning: meaning.into(), ..self }
+    }
+
+    /// With what to do, which each front end words.
+    #[must_use]
+    pub fn to_do(self, advice: Advice) -> Self {
+        Self { advice: Some(advice), ..self }
     }
 
     /// With a unit that explains the value, in place of the advice: "210 looks like GPa; ..".
@@ -280,43 +288,43 @@ const ROUGHNESS_PARAMETER: &str = "roughness-parameter";
 
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.say(&AsWritten))
+        f.write_str(&self.worded(&self.field, |advice| advice.to_string()))
     }
 }
 
 impl Finding {
-    /// The whole text in the terms of a reader.
+    /// The whole text, with the name of its field and the advice in the words of a front end.
     #[must_use]
-    pub fn say(&self, dialect: &dyn Dialect) -> String {
-        let mut text: String =
-            self.origin.iter().map(|origin| dialect.say(origin) + ": ").collect();
-        text.extend(self.model.iter().map(|model| dialect.term(model) + ": "));
+    pub fn worded(&self, field: &str, words: impl Fn(Advice) -> String) -> String {
+        let before = self.origin.iter().chain(&self.model);
+        let mut text: String = before.map(|part| format!("{part}: ")).collect();
         match &self.fact {
-            Some(fact) => text += &dialect.say(fact),
+            Some(fact) => text += fact,
             None => {
                 let space = if self.unit.is_empty() { "" } else { " " };
-                let (field, value) = (dialect.term(&self.field), short(self.value));
-                text += &format!("{field} is {value}{space}{}", self.unit);
+                text += &format!("{field} is {}{space}{}", short(self.value), self.unit);
             }
         }
         text += &match (&self.at, self.count) {
-            (Some(at), 0 | 1) => dialect.say(&format!(" at {at:#}")),
+            (Some(at), 0 | 1) => format!(" at {at}"),
             (Some(at), count) => {
                 let which = if self.excess().is_finite() { "worst" } else { "first" };
-                dialect.say(&format!(" in {count} rows, {which} at {at:#}"))
+                format!(" in {count} rows, {which} at {at}")
             }
             (None, _) => String::new(),
         };
         if self.fact.is_none() {
             text += &self.range();
         }
-        match self.likely_unit.as_deref().unwrap_or(&self.advice) {
-            "" => {}
-            advice => text += &format!(": {}", dialect.say(advice)),
+        match (&self.likely_unit, &*self.meaning, self.advice) {
+            (Some(unit), ..) => text += &format!(": {unit}"),
+            (_, "", None) => {}
+            (_, meaning, None) => text += &format!(": {meaning}"),
+            (_, "", Some(advice)) => text += &format!(": {}", words(advice)),
+            (_, meaning, Some(advice)) => text += &format!(": {meaning}; {}", words(advice)),
         }
-        let also: Vec<String> = self.also.iter().map(|model| dialect.term(model)).collect();
-        if !also.is_empty() {
-            text += &format!(" (likewise {})", also.join(", "));
+        if !self.also.is_empty() {
+            text += &format!(" (likewise {})", self.also.join(", "));
         }
         text
     }

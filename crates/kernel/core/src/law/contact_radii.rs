@@ -40,7 +40,7 @@ impl InterfaceProperty {
                 (interface.electrical_resistivity.map(|rho| 2.0 / rho), either)
             }
         };
-        let reason = || format!("`{quantity}`{whose} needs it");
+        let reason = || format!("{quantity}{whose} needs it");
         factor.ok_or_else(|| ContactError::Missing { field: self.field(), reason: reason() })
     }
 }

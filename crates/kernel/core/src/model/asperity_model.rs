@@ -76,10 +76,10 @@ pub(crate) fn law(
         (Quantity::ContactRadiusSum, _) => model.contact_radius(asperity, tolerance),
         (_, Derivation::Map) => {
             let what = "which follows from a map of the gap; use boundary elements";
-            unsupported(format!("`{quantity}`, {what}"))
+            unsupported(format!("{quantity}, {what}"))
         }
         (_, Derivation::Flow | Derivation::Gap) => {
-            unsupported(format!("`{quantity}`, which follows from the film alone"))
+            unsupported(format!("{quantity}, which follows from the film alone"))
         }
         _ => Err(lacking()),
     }

@@ -186,8 +186,8 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
             return Ok(());
         }
         let known = Quantity::ALL.into_iter().filter(|quantity| known(*quantity));
-        let known: Vec<String> = known.map(|quantity| format!("`{quantity}`")).collect();
-        Err(self.unsupported(&format!("`{quantity}` (available: {})", known.join(", "))))
+        let known: Vec<String> = known.map(|quantity| format!("{quantity}")).collect();
+        Err(self.unsupported(&format!("{quantity} (available: {})", known.join(", "))))
     }
 
     /// The error for something that this model does not have.
@@ -272,7 +272,7 @@ impl dyn Contact + '_ {
     /// Those of [`evaluate_at`](ContactEngine::evaluate_at), but for quantities without a value
     /// where nothing touches; [`ContactError::OutOfRange`] unless `from` and `to` ascend.
     pub fn prepare(&self, from: f64, to: f64) -> Result<(), ContactError> {
-        require(from <= to && to.is_finite(), "to", to, "a finite separation, `from` or above,")?;
+        require(from <= to && to.is_finite(), "to", to, "a finite separation, from or above,")?;
         let separations: Vec<f64> = ranges(from, to).collect();
         for &quantity in self.quantities() {
             for &s in &separations {

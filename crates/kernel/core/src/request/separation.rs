@@ -87,22 +87,19 @@ impl Separation {
 }
 
 impl fmt::Display for Separation {
-    /// `2 asperity_height_std`; with `{:#}` a marked term for a [`Dialect`](crate::Dialect).
+    /// `2 asperity_height_std`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mark = if f.alternate() { "`" } else { "" };
         match self.unit {
             // Large numbers are shorter with an exponent.
             SeparationUnit::Sigma if self.value.abs() >= 1e16 => {
-                write!(f, "{mark}{:e} asperity_height_std{mark}", self.value)?;
+                write!(f, "{:e} asperity_height_std", self.value)?;
             }
             SeparationUnit::Sigma => {
-                write!(f, "{mark}{} asperity_height_std{mark}", self.value)?;
+                write!(f, "{} asperity_height_std", self.value)?;
             }
             SeparationUnit::Metres if self.value == 0.0 => f.write_str("0 m")?,
             SeparationUnit::Metres => write!(f, "{:e} m", self.value)?,
-            SeparationUnit::SurfaceStd => {
-                write!(f, "{mark}{} surface_height_std{mark}", self.value)?
-            }
+            SeparationUnit::SurfaceStd => write!(f, "{} surface_height_std", self.value)?,
         }
         match self.from {
             Datum::AsperityMean => Ok(()),
@@ -176,9 +173,6 @@ impl fmt::Display for At {
     /// To six digits.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.to_digits(6) {
-            Self::Separation(separation) if f.alternate() => {
-                write!(f, "a separation of {separation:#}")
-            }
             Self::Separation(separation) => write!(f, "a separation of {separation}"),
             // Very small and large numbers are shorter with an exponent.
             Self::Load(load) if load.abs() < 1e-5 || load.abs() >= 1e16 => {

@@ -128,8 +128,8 @@ impl RowCheck {
         let each = |text: &dyn Fn(&Seen) -> String, by: &str| {
             small().map(text).collect::<Vec<_>>().join(by)
         };
-        let names = each(&|seen| format!("`{}`", seen.quantity), ", ");
-        let logarithms = each(&|seen| format!("{:.6} of `{}`", seen.value, seen.quantity), ", ");
+        let names = each(&|seen| format!("{}", seen.quantity), ", ");
+        let logarithms = each(&|seen| format!("{:.6} of {}", seen.value, seen.quantity), ", ");
         let (verb, values) = match small().count() {
             1 => ("is", "value is 0"),
             _ => ("are", "values are 0"),
@@ -150,7 +150,7 @@ impl Seen {
         let &Self { quantity, value, .. } = self;
         let one = |seen: &Self| {
             let (name, unit) = (seen.quantity, seen.quantity.unit());
-            format!("`{name}` is negative ({:.4e} {unit})", seen.value).replace(" )", ")")
+            format!("{name} is negative ({:.4e} {unit})", seen.value).replace(" )", ")")
         };
         let negative = |code, fact: String, advice: &'static str| {
             let found = Finding::warning(code, quantity.to_string(), value).unit(quantity.unit());
@@ -179,7 +179,7 @@ impl Seen {
             Oddity::Cancelled => Finding::warning("cancelled", "condition", value)
                 .usual([0.0, CANCELLED])
                 .of_quantity(quantity)
-                .fact(format!("positive and negative parts of the `{quantity}` cancel"))
+                .fact(format!("positive and negative parts of the {quantity} cancel"))
                 .advice(self.accuracy()),
             Oddity::NoContact | Oddity::Underflow => {
                 Finding::warning("no-contact", "contacts", value)

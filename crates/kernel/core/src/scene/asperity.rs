@@ -103,7 +103,7 @@ impl Asperity {
     pub fn shear_modulus(&self, needed_by: &str) -> Result<f64, ContactError> {
         self.equivalent_shear_modulus.ok_or_else(|| ContactError::Missing {
             field: "equivalent_shear_modulus",
-            reason: format!("`{needed_by}` needs it"),
+            reason: format!("{needed_by} needs it"),
         })
     }
 
@@ -114,7 +114,7 @@ impl Asperity {
     pub fn adhesion(&self, needed_by: &str) -> Result<f64, ContactError> {
         self.work_of_adhesion.ok_or_else(|| ContactError::Missing {
             field: "work_of_adhesion",
-            reason: format!("`{needed_by}` needs it"),
+            reason: format!("{needed_by} needs it"),
         })
     }
 
@@ -130,7 +130,7 @@ impl Asperity {
 }
 
 fn never_yields() -> ContactError {
-    let reason = "set `hardness` or `yield_strength`; only elastic models work without".into();
+    let reason = "set hardness or yield_strength; only elastic models work without".into();
     ContactError::Missing { field: "hardness", reason }
 }
 

@@ -99,7 +99,7 @@ impl Surface {
         positive("m4", m4)?;
         let bandwidth = moments.bandwidth();
         // β of 0.02493, and σ_z² is 0.402 σ² there.
-        let required = "at least 1.5, as of every isotropic Gaussian surface (`asperity_density` times `asperity_radius` times `asperity_height_std` of at least 0.0158),";
+        let required = "at least 1.5, as of every isotropic Gaussian surface (asperity_density times asperity_radius times asperity_height_std of at least 0.0158),";
         require(bandwidth >= 1.5, "bandwidth (m0 m4/m2^2)", bandwidth, required)?;
         Ok(Self {
             asperity_radius: 0.375 * (std::f64::consts::PI / m4).sqrt(),
@@ -123,7 +123,7 @@ impl Surface {
         positive("surface_height_std", surface_height_std)?;
         let per_length = asperity_density * asperity_radius;
         let beta = per_length * surface_height_std;
-        let required = "at least 0.02493, as of every isotropic Gaussian surface (`asperity_density` times `asperity_radius` times `surface_height_std`),";
+        let required = "at least 0.02493, as of every isotropic Gaussian surface (asperity_density times asperity_radius times surface_height_std),";
         require(beta >= 0.024_93, "roughness_parameter", beta, required)?;
         let share = 1.0 - SUMMIT_VARIANCE / (beta * beta);
         let asperity_height_std = surface_height_std * share.sqrt();

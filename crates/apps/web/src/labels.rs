@@ -1,8 +1,8 @@
-//! The terms of the page: labels in place of keys, ids of models as legends have them, symbols in
-//! Greek, and what the page offers in place of commands of the program.
+//! Labels of keys and quantities, names of models as legends have them, Greek symbols, and findings
+//! with these.
 
-use asperity::recommended::{BEM, YIELDING};
-use asperity::{Described, Dialect, Finding, Findings, Model, Quantity, Severity};
+use asperity::recommended::YIELDING;
+use asperity::{Advice, Described, Finding, Findings, Model, Quantity, Severity};
 use serde_json::{Value, json};
 
 /// Labels of keys whose words do not give them.
@@ -11,14 +11,6 @@ const LABELS: [(&str, &str); 4] = [
     ("poissons_ratio", "Poisson's ratio"),
     ("asperity_height_std", "height std σ_z"),
     ("surface_height_std", "height std of the surface"),
-];
-
-/// What the page offers in place of commands and options.
-const OFFERS: [(&str, &str); 4] = [
-    ("asperity bem --compare", "boundary elements on the scan"),
-    ("asperity list materials", "the form"),
-    ("asperity surface --scales", "the table of slopes and curvatures"),
-    ("despike = true (--despike)", "\"Replace outliers\" in \"More about the scan\""),
 ];
 
 const SYMBOLS: [(&str, &str); 9] = [
@@ -36,43 +28,9 @@ const SYMBOLS: [(&str, &str); 9] = [
 /// What describes yielding where contacts merge.
 const WITHOUT_ASPERITIES: &str = "boundary elements or persson-plastic";
 
-/// The dialect of the page.
-pub(crate) struct Page {
-    /// The models that describe yielding.
-    yielding: &'static str,
-}
-
-/// The dialect without a scene.
-pub(crate) static PAGE: Page = Page { yielding: YIELDING };
-
-/// A text with what the page offers in place of commands; other words in backticks keep these.
-pub(crate) fn offered(text: &str) -> String {
-    let offered =
-        |text: String, (term, offer): &(&str, &str)| text.replace(&format!("`{term}`"), offer);
-    OFFERS.iter().fold(text.into(), offered)
-}
-
-impl Dialect for Page {
-    fn term(&self, term: &str) -> String {
-        if let Some((_, offer)) = OFFERS.iter().find(|(known, _)| *known == term) {
-            return (*offer).into();
-        }
-        if term == YIELDING {
-            return self.yielding.into();
-        }
-        if let Some(number) = term.strip_suffix(" asperity_height_std") {
-            return format!("{number} σ_z");
-        }
-        if let Some(rest) = term.strip_prefix(BEM) {
-            return format!("boundary elements{rest}");
-        }
-        term.parse().map_or_else(|_| label(term), quantity_name)
-    }
-}
-
-/// A text with marked terms as the page shows it.
-pub(crate) fn said(marked: &str) -> String {
-    symbols(&PAGE.say(marked))
+/// The label of a key or the name of a quantity.
+pub(crate) fn term(term: &str) -> String {
+    term.parse().map_or_else(|_| label(term), quantity_name)
 }
 
 /// The name of a model, for a variant its id, as legends have it: `KE`, `persson-fudge`.
@@ -146,32 +104,35 @@ pub(crate) fn symbols(text: &str) -> String {
     made
 }
 
-impl Page {
-    /// A finding as the page shows it, with the path of its field of the form or the name of
-    /// another number.
-    pub(crate) fn finding(&self, found: &Finding) -> Value {
-        let message = symbols(&found.say(self));
-        let Finding { code, severity, field, quantity, .. } = found;
-        json!({
-            "code": code, "severity": severity, "field": field, "quantity": quantity,
-            "message": message,
-        })
-    }
+/// A finding in the words of the page; where contacts `merge`, no model of asperities is advised.
+pub(crate) fn message(found: &Finding, merge: bool) -> String {
+    let words = |advice: Advice| match advice {
+        Advice::UseModels(YIELDING) if merge => format!("use {WITHOUT_ASPERITIES}"),
+        Advice::CompareCutOffs => "see the table of slopes and curvatures".into(),
+        Advice::Despike => "\"Replace outliers\" in \"More about the scan\" replaces them".into(),
+        other => other.to_string(),
+    };
+    symbols(&found.worded(&term(&found.field), words))
+}
+
+/// A finding as the page shows it, with the path of its field of the form or the name of another
+/// number.
+pub(crate) fn finding(found: &Finding, merge: bool) -> Value {
+    let Finding { code, severity, field, quantity, .. } = found;
+    json!({
+        "code": code, "severity": severity, "field": field, "quantity": quantity,
+        "message": message(found, merge),
+    })
 }
 
 /// All findings as shown, with the numbers that were converted.
 pub(crate) fn findings(all: &Findings, converted: &[(String, String)]) -> Value {
-    // Where contacts merge, no model of asperities is advised.
-    let yielding = match all.iter().any(|found| found.code == "crowded") {
-        true => WITHOUT_ASPERITIES,
-        false => YIELDING,
-    };
-    let page = Page { yielding };
+    let merge = all.iter().any(|found| found.code == "crowded");
     let converted = converted.iter().map(|(key, text)| {
-        let message = format!("{}: {text}", page.term(key));
+        let message = format!("{}: {text}", term(key));
         json!({ "code": "", "severity": Severity::Note, "field": key, "message": message })
     });
-    all.iter().map(|found| page.finding(found)).chain(converted).collect()
+    all.iter().map(|found| finding(found, merge)).chain(converted).collect()
 }
 
 #[cfg(test)]
@@ -188,29 +149,26 @@ mod tests {
     }
 
     #[test]
-    fn terms_are_said_as_labels_symbols_and_offers() {
+    fn keys_have_labels_and_letters_are_greek() {
+        for (key, wanted) in [
+            ("area_fraction", "real over nominal area"),
+            ("unloading-stiffness", "unloading stiffness"),
+            ("asperity_height_std", "height std σ_z"),
+            ("body[1].youngs_modulus", "Young's modulus of body 1"),
+            ("body[2]", "body 2"),
+            ("surface.pixel_size", "pixel size"),
+            ("plasticity_index", "plasticity index"),
+        ] {
+            assert_eq!(term(key), wanted);
+        }
         for (text, wanted) in [
-            ("`area_fraction` is 0.2", "real over nominal area is 0.2"),
-            (
-                "`gao` has no law for `unloading-stiffness`",
-                "gao has no law for unloading stiffness",
-            ),
-            ("`asperity_height_std` is 2", "height std σ_z is 2"),
-            ("`body[1].youngs_modulus` is 210 Pa", "Young's modulus of body 1 is 210 Pa"),
-            ("`body[2]` has none", "body 2 has none"),
             ("psi = sqrt(sigma_z/w_c), by Chang", "ψ = √(σ_z/w_c), by Chang"),
-            ("30e6 psi is 206.8 GPa", "30e6 psi is 206.8 GPa"),
             ("w_c = (pi S H/(2 E))^2 R", "w_c = (π S H/(2 E))² R"),
             ("theta = E sigma_z^1.5/(w_a sqrt(R))", "θ = E σ_z^1.5/(w_a √(R))"),
-            ("set max_missing = 0.5, or", "set max_missing = 0.5, or"),
             ("30e6 psi is 206.8 GPa, psi 2, 2 pi", "30e6 psi is 206.8 GPa, ψ 2, 2 π"),
-            ("`surface.pixel_size` is µm long – é", "pixel size is µm long – é"),
             ("my_scan.x3p of alpha.txt is empty", "my_scan.x3p of alpha.txt is empty"),
-            ("`plasticity_index` = 14.5 (alpha 8, psi 2)", "plasticity index = 14.5 (α 8, ψ 2)"),
-            ("at `-3 asperity_height_std`", "at -3 σ_z"),
-            ("; use `bem, or persson`", "; use boundary elements, or persson"),
         ] {
-            assert_eq!(said(text), wanted);
+            assert_eq!(symbols(text), wanted);
         }
     }
 
@@ -260,22 +218,17 @@ mod tests {
         let ke = file.model("ke").unwrap();
         let check = file.check(Some((&ke, At::Load(1e-3)))).unwrap();
         let merged = file.findings_at(&ke, &[At::Pressure(1e9)]);
-        let refusal = |text: String| crate::refusal::Refusal::new(text).message;
-        let shown = [&merged, &check.findings, &file.warnings].map(messages);
-        let all: Vec<String> = shown
-            .concat()
-            .into_iter()
-            .chain([
-                said(&file.surface_shape().unwrap_err().marked()),
-                refusal(refused("material = \"unobtainium\"")),
-                refusal(refused("material = \"steel-a36\"\nhardness = 2e9")),
-            ])
-            .collect();
-        for (_, offer) in OFFERS.iter().chain(&[("", "use boundary elements, ")]) {
+        let all = [&merged, &check.findings, &file.warnings].map(messages).concat();
+        for offer in ["the table of slopes", "\"Replace outliers\"", "use boundary elements, "] {
             assert!(all.iter().any(|message| message.contains(offer)), "{offer}: {all:#?}");
         }
+        let refusals = [
+            file.surface_shape().unwrap_err().to_string(),
+            refused("material = \"unobtainium\""),
+            refused("material = \"steel-a36\"\nhardness = 2e9"),
+        ];
         let no_command = |text: &String| !text.contains("asperity ") && !text.contains("--");
-        assert!(all.iter().all(no_command), "{all:#?}");
+        assert!(all.iter().chain(&refusals).all(no_command), "{all:#?} {refusals:#?}");
     }
 
     #[test]
