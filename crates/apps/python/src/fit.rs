@@ -49,7 +49,7 @@ pub(crate) fn fit<'py>(
                 return Err(engine.raise(py, reason));
             }
             Err(error @ SceneError::Fit(FitError::NoStart { .. })) if !alone => {
-                warn_text(py, &file.accept, "left-out", format!("left out: {error}"))?;
+                warn_text(py, &file.spec.accept, "left-out", format!("left out: {error}"))?;
             }
             Err(error) => return Err(value_error(error)),
         }

@@ -125,7 +125,7 @@ pub(crate) fn surface<'py>(
 
 /// The numbers of a roughness by their keys.
 fn by_key(py: Python<'_>, roughness: Roughness) -> PyResult<Bound<'_, PyDict>> {
-    roughness.way.keys().iter().zip(roughness.numbers).into_py_dict(py)
+    roughness.by_key().into_py_dict(py)
 }
 
 /// An argument as the struct of the class; a `TypeError` for another type.
@@ -155,21 +155,16 @@ pub(crate) fn surface_keys(surface: &Object<'_>) -> PyResult<BTreeMap<String, f6
     origin.map_or_else(|| numbers(surface.py(), &own)?.extract(), Ok)
 }
 
-/// The numbers from which a surface follows.
-fn roughness(surface: &Object<'_>) -> PyResult<Option<Roughness>> {
-    let origin: Option<Bound<'_, PyDict>> = surface.getattr("_origin")?.extract()?;
-    Ok(origin.map(|origin| three(&origin)).transpose()?.and_then(|(roughness, _)| roughness))
-}
-
-/// Three named numbers of a surface as a roughness, if they are one, and by themselves.
-fn three(given: &Bound<'_, PyDict>) -> PyResult<(Option<Roughness>, [f64; 3])> {
+/// Three named numbers of a surface.
+fn roughness(given: &Bound<'_, PyDict>) -> PyResult<Roughness> {
     let keys: [String; 3] = given.keys().extract()?;
     let mut numbers = [0.0; 3];
     for (found, (key, value)) in numbers.iter_mut().zip(keys.iter().zip(given.values())) {
         *found = number("Surface", key, &value)?;
     }
-    let way = Way::of(keys.each_ref().map(|key| &**key));
-    Ok((way.map(|way| Roughness { way, numbers }), numbers))
+    let way = Way::of(&keys.each_ref().map(|key| &**key));
+    let way = way.ok_or_else(|| PyValueError::new_err("these numbers describe no surface"))?;
+    Ok(Roughness { way, numbers })
 }
 
 /// The name of an object's type with its article.
@@ -246,16 +241,12 @@ pub(crate) fn surface_of<'py>(
     given: &Bound<'py, PyDict>,
     interface: Option<&Object<'py>>,
 ) -> PyResult<(Bound<'py, PyDict>, Option<Bound<'py, PyDict>>)> {
-    let (py, (roughness, three)) = (given.py(), three(given)?);
-    let Some(roughness) = roughness else {
-        let interface = interface.map(|interface| instance("interface", interface)).transpose()?;
-        let interface = interface.unwrap_or_else(Interface::BLANK);
-        let [index, parameter, std] = three;
-        let found = Surface::from_plasticity_index(index, parameter, std, &interface);
-        return Ok((numbers(py, &found.map_err(refused)?)?, None));
-    };
-    let found = roughness.surface().map_err(refused)?;
-    Ok((numbers(py, &found)?, Some(by_key(py, roughness)?)))
+    let (py, roughness) = (given.py(), roughness(given)?);
+    let interface = interface.map(|interface| instance("interface", interface)).transpose()?;
+    let found = roughness.surface(&interface.unwrap_or_else(Interface::BLANK)).map_err(refused)?;
+    let is_of_surface = roughness.way.is_of_surface();
+    let origin = is_of_surface.then(|| by_key(py, roughness)).transpose()?;
+    Ok((numbers(py, &found)?, origin))
 }
 
 /// The sums of the spectral moments of two surfaces.
@@ -264,15 +255,14 @@ pub(crate) fn moments_of_both<'py>(
     one: &Object<'py>,
     other: &Object<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let moments = |given| -> PyResult<ProfileMoments> {
-        match roughness(given)? {
-            Some(roughness) => roughness.moments().map_err(refused),
-            None => Ok(instance::<Surface>("surface", given)?.moments()),
-        }
+    let moments = |given: &Object<'py>| -> PyResult<ProfileMoments> {
+        let own = instance::<Surface>("surface", given)?;
+        let origin: Option<Bound<'_, PyDict>> = given.getattr("_origin")?.extract()?;
+        let roughness = origin.map(|origin| roughness(&origin)).transpose()?;
+        Ok(roughness.map_or_else(|| own.moments(), |roughness| roughness.moments(&own)))
     };
     let other = instance::<Surface>("other", other).and_then(|_| moments(other))?;
-    let sum = moments(one)?.plus(&other);
-    by_key(one.py(), Roughness { way: Way::Moments, numbers: [sum.m0, sum.m2, sum.m4] })
+    by_key(one.py(), Roughness::of_moments(moments(one)?.plus(&other)))
 }
 
 /// A number that follows from a surface or an asperity.

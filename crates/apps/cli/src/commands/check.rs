@@ -67,7 +67,7 @@ impl Check {
             self.output.write(&numbers(&checked))?;
         }
         output::show(&checked.findings);
-        let converted = scene.file.converted.iter().map(|(key, text)| format!("{key}: {text}"));
+        let converted = scene.file.converted().iter().map(|(key, text)| format!("{key}: {text}"));
         output::print_results(&converted.collect::<Vec<_>>());
         refused.map_or(Ok(()), Err)
     }

@@ -167,7 +167,7 @@ impl Contact {
         numbers: &Object<'py>,
         one: impl Fn(&dyn asperity::Contact, At) -> Result<[Evaluation; N], ContactError> + Sync,
     ) -> PyResult<Vec<Object<'py>>> {
-        let (py, from) = (numbers.py(), self.file.separation_from);
+        let (py, from) = (numbers.py(), self.file.spec.separation_from);
         if let Some(&quantity) = quantities.iter().find(|q| !self.request.quantities.contains(q)) {
             return Err(value_error(ContactError::NotRequested { quantity }));
         }
@@ -196,7 +196,7 @@ impl Contact {
         if !matches!(axis, Axis::Separation(_)) || numbers.len() < FEW {
             return Ok(None);
         }
-        let (scene, from) = (contact.scene(), self.file.separation_from);
+        let (scene, from) = (contact.scene(), self.file.spec.separation_from);
         let fill = |range: Range<usize>| {
             let places = sigmas(&numbers[range], axis, from, scene)?;
             Some(filled(contact, &quantities, &places)?.0)

@@ -90,7 +90,7 @@ pub(crate) fn bem<'py>(
         return Err(error);
     }
     notes.extend(leak.iter().flat_map(Leak::findings));
-    notes.iter().try_for_each(|note| warn_unless(py, &file.accept, note, 1))?;
+    notes.iter().try_for_each(|note| warn_unless(py, &file.spec.accept, note, 1))?;
     let fields = arrays(py, heads.iter().map(|head| field(head)).zip(columns))?;
     fields.set_item("failures", failures)?;
     fields.set_item("boundary", bem.continuation().name())?;

@@ -179,7 +179,7 @@ impl JointTable {
         } else {
             SeparationUnit::Sigma
         };
-        let from = self.scene.get().0.separation_from;
+        let from = self.scene.get().0.spec.separation_from;
         Separation { value, unit, from }
     }
 
