@@ -278,7 +278,7 @@ impl Asked {
 
     /// A load or separation as given and as evaluated: with `all`, each separation of a load.
     fn places(&self, file: &SceneFile, at: At) -> Vec<(At, At)> {
-        let (scene, from) = (self.contact.scene(), file.separation_from);
+        let (scene, from) = (self.contact.scene(), file.spec.separation_from);
         let counted = |s: Separation| s.measured_in(SeparationUnit::Sigma, from, scene);
         let load = at.load(scene).filter(|_| self.all);
         match load.map(|load| self.contact.separations_at(load)) {

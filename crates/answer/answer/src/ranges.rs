@@ -161,8 +161,9 @@ impl Ends<'_> {
             format!("{quantity} within {}", ratio(width.of_unknowns[k]))
         };
         let each = widths.iter().map(within).collect::<Vec<_>>().join(", ");
-        let of_faces = self.file.unknowns().map(|(_, one)| one).filter(|one| one.name == name);
-        let width = |one: &&Unknown| one.range[2] / one.range[0];
+        let of_faces =
+            self.file.unknowns().into_iter().map(|(_, one)| one).filter(|one| one.name == name);
+        let width = |one: &Unknown| one.range[2] / one.range[0];
         let widest = of_faces.max_by(|a, b| width(a).total_cmp(&width(b)));
         let narrowed = widest.map_or("", |one| one.narrowed);
         let spread = ratio(spread.ln());

@@ -49,7 +49,7 @@ impl<'w> ScanSlip<'w> {
         if scene.interface.work_of_adhesion.is_some_and(|work| work > 0.0) {
             return Err("slip of a scan has no adhesion; leave out work_of_adhesion".into());
         }
-        if let [one, other] = &subject.file.bodies[..] {
+        if let [one, other] = subject.file.bodies() {
             check_alike(one, other)?;
         }
         let shear = scene.asperity()?.shear_modulus("partial slip by bem")?;

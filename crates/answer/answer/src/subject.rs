@@ -41,7 +41,7 @@ pub(crate) fn measured(
     at: Separation,
     unit: SeparationUnit,
 ) -> Result<f64, ContactError> {
-    Ok(at.measured_in(unit, file.separation_from, scene)?.value)
+    Ok(at.measured_in(unit, file.spec.separation_from, scene)?.value)
 }
 
 impl Sheet {

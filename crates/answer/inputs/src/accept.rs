@@ -3,7 +3,8 @@
 use asperity::Code;
 
 use crate::document::Document;
-use crate::{SceneError, SceneFile};
+use crate::error::SceneError;
+use crate::scene_file::SceneFile;
 
 /// Refuses a code that no warning and no note has.
 pub(crate) fn check(document: &Document<'_>, accept: &[String]) -> Result<(), SceneError> {
@@ -18,7 +19,7 @@ impl SceneFile {
     /// Those of [`Code::named`].
     pub fn accepting(mut self, codes: &[String]) -> Result<Self, String> {
         codes.iter().try_for_each(|code| Code::named(code).map(drop))?;
-        self.accept.extend_from_slice(codes);
+        self.spec.accept.extend_from_slice(codes);
         self.warnings = self.warnings.silenced(codes);
         Ok(self)
     }

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use crate::error::{Place, SceneError};
 use crate::likely::notation_hint;
 use crate::text_file::shorten;
-use crate::{Place, SceneError};
 
 /// A csv whose first line names its columns. Empty lines and lines that begin with # are skipped.
 /// Where semicolons or tabs separate the cells of the header, numbers may have decimal commas.

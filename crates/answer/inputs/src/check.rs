@@ -1,6 +1,8 @@
 //! Plausibility of a scene file: the library's findings by the keys of the file, and those of a
 //! scan.
 
+use std::sync::Arc;
+
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     Advice, At, Check, Contact, ContactError, ContactModel, Finding, Findings, HARDNESS_OVER_YIELD,
@@ -8,28 +10,20 @@ use asperity::{
 };
 use asperity_topography::Statistics;
 
-use crate::SceneFile;
-use crate::keys::Key;
-
-/// Statistics of a scan beyond its asperities.
-#[derive(Debug, Clone)]
-#[non_exhaustive]
-pub struct Measured {
-    /// Heights, moments, asperities.
-    pub statistics: Statistics,
-    /// The longer side of a pixel \[m\].
-    pub pixel_size: f64,
-    /// The wavelength above which half of Sq² lies \[m\]; `None` for two surfaces and for scans
-    /// without a spectrum.
-    pub long_wavelength: Option<f64>,
-}
+use crate::error::Place;
+use crate::evidence::KURTOSIS;
+use crate::keys::{INTERFACE, Key, OF_PAIR, joined};
+use crate::measured::Measured;
+use crate::odd::{odd_drawing, odd_roughness};
+use crate::origin::Provenance;
+use crate::scene_file::SceneFile;
+use crate::spec::Description;
 
 /// The yield strength over the modulus below which a metal counts as soft: in the list of materials
 /// annealed and hot-rolled steels, copper and nickel lie below, cold-drawn and tempered ones above.
 const ANNEALED: f64 = 0.0015;
-/// Ranges of skewness and kurtosis of nearly Gaussian heights.
+/// The range of the skewness of nearly Gaussian heights.
 const SKEWNESS: [f64; 2] = [-0.8, 0.8];
-pub(crate) const KURTOSIS: [f64; 2] = [2.0, 5.0];
 
 /// Fields of findings about the asperities.
 const ASPERITY_FIELDS: [&str; 6] = [
@@ -41,14 +35,10 @@ const ASPERITY_FIELDS: [&str; 6] = [
     "rms_gradient",
 ];
 
-/// Fields of the interface that follow from those of the bodies, whose findings are of the bodies.
-const OF_BODIES: [&str; 5] = [
-    "equivalent_modulus",
-    "hardness",
-    "yield_strength",
-    "thermal_conductivity",
-    "electrical_resistivity",
-];
+/// Whether a field of the interface follows from the bodies, whose findings are of these.
+fn of_bodies(field: &str) -> bool {
+    INTERFACE.iter().any(|known| known.name == field) && !OF_PAIR.contains(&field)
+}
 
 impl SceneFile {
     /// Unusual values of the scene, of each body by its own name, and of a scan.
@@ -56,21 +46,21 @@ impl SceneFile {
     pub fn findings(&self) -> Findings {
         let of_asperities = |found: &Finding| ASPERITY_FIELDS.contains(&&*found.field);
         let of_interface = self.scene.findings().into_iter();
+        let no_asperities = self.no_asperities().is_some();
         // Without asperities, these are numbers of a surface that stands in for them.
         let of_interface = of_interface.filter(|found| {
-            let stands_in = self.no_asperities.is_some() && of_asperities(found);
-            let of_bodies = !self.bodies.is_empty() && OF_BODIES.contains(&&*found.field);
-            !stands_in && !of_bodies
+            let stands_in = no_asperities && of_asperities(found);
+            !stands_in && (self.bodies().is_empty() || !of_bodies(&found.field))
         });
         let mut of_interface: Vec<Finding> = of_interface.collect();
         // The numbers that were given, in place of findings about asperities that follow from them.
         let asperities = of_interface.iter().filter(|found| of_asperities(found));
         let worst = asperities.map(|found| (found.severity, !found.is_implausible())).min();
         if let Some((severity, plausible)) = worst {
-            if let Some(odd) = self.odd_number.clone() {
+            if let Some(odd) = self.odd_number() {
                 of_interface.retain(|f| !of_asperities(f) && f.code != "few-asperities");
                 of_interface.push(odd.severity(severity).implausible(!plausible));
-            } else if !self.follows_from.is_empty() {
+            } else if !self.spec.follows_from().is_empty() {
                 of_interface.retain(|found| !of_asperities(found));
                 let together = self.unusual_together();
                 of_interface.extend(together.map(|found| found.implausible(!plausible)));
@@ -90,7 +80,7 @@ impl SceneFile {
     /// Unusual values of the bodies; those of two bodies of one material once.
     fn of_bodies(&self) -> Vec<Finding> {
         let mut kept: Vec<Finding> = vec![];
-        for (body, section) in self.bodies.iter().zip(["body[1]", "body[2]"]) {
+        for (body, section) in self.bodies().iter().zip(["body[1]", "body[2]"]) {
             for new in body.findings() {
                 let same = |known: &&mut Finding| {
                     let key = known.field.rsplit('.').next();
@@ -107,8 +97,8 @@ impl SceneFile {
 
     /// A finding of the numbers that were given for unusual asperities that follow from them.
     fn unusual_together(&self) -> Option<Finding> {
-        let values = self.roughness.map(|roughness| roughness.numbers);
-        let given = (0..).zip(self.follows_from).map(|(k, name)| match values {
+        let values = self.roughness().map(|roughness| roughness.numbers);
+        let given = (0..).zip(self.spec.follows_from()).map(|(k, name)| match values {
             Some(values) => {
                 let unit = Key::find("surface", name).map_or("", |key| key.unit);
                 format!("{name} = {} {unit}", short(values[k])).trim_end().to_string()
@@ -123,24 +113,41 @@ impl SceneFile {
 
     /// The finding without a likely unit if the number was given with its unit.
     fn without_stated_unit(&self, found: Finding) -> Option<Finding> {
-        let stated = |key: &str| {
-            let of = |path: &String| path == key || path.ends_with(&format!(".{key}"));
-            self.stated.iter().any(of)
-        };
-        if stated(&found.field) { found.with_stated_unit() } else { Some(found) }
+        let is_stated = self.origin.as_ref().is_some_and(|origin| origin.is_stated(&found.field));
+        if is_stated { found.with_stated_unit() } else { Some(found) }
+    }
+
+    /// The number, given without a unit, that explains findings about the asperities.
+    fn odd_number(&self) -> Option<Finding> {
+        self.spec.surfaces().find_map(|(section, one)| {
+            let is_stated = |key: &str| {
+                let stated = |origin: &Arc<Provenance>| origin.is_stated(&joined(section, key));
+                self.origin.as_ref().is_some_and(stated)
+            };
+            let (key, value, hint) = match &one.by {
+                Description::Numbers(roughness) => odd_roughness(roughness, is_stated),
+                Description::Drawing(drawing) => odd_drawing(drawing, is_stated),
+                Description::Scan(_) => None,
+            }?;
+            let path = joined(section, key);
+            let place =
+                self.origin.as_ref().map_or_else(|| Place::field(&*path), |of| of.place(&path));
+            let fact = format!("{place} = {} {hint}", short(value));
+            Some(Finding::warning("unusual-size", key, value).fact(fact))
+        })
     }
 
     /// One finding for each cause, without those that the scene accepts.
     #[must_use]
     pub fn accepted(&self, found: Findings) -> Findings {
-        found.by_cause().silenced(&self.accept)
+        found.by_cause().silenced(&self.spec.accept)
     }
 
     /// The roughness of the gap for correlations of its conductance: of the scan or, without one,
     /// of an isotropic Gaussian surface with these asperities.
     #[must_use]
     pub fn gap_roughness(&self) -> GapRoughness {
-        let measured = self.measured.as_ref().map(|measured| &measured.statistics);
+        let measured = self.measured.as_deref().map(|measured| &measured.statistics);
         let measured = measured.map(|s| ProfileMoments { m0: s.m0, m2: s.m2, m4: s.m4 });
         GapRoughness::of(&measured.unwrap_or_else(|| self.scene.surface.moments()))
     }
@@ -169,7 +176,7 @@ impl SceneFile {
         if let Some((model, _)) = place {
             check.keep_for(model);
         }
-        if let Some(Measured { statistics, pixel_size, .. }) = &self.measured {
+        if let Some(Measured { statistics, pixel_size, .. }) = self.measured.as_deref() {
             let slope = (2.0 * statistics.m2).sqrt();
             for (name, value, unit, meaning) in [
                 ("measured_height_std", statistics.sq, "m", "Sq"),
@@ -214,7 +221,7 @@ impl SceneFile {
     /// A warning if one body has a hardness and the other has none, which is probably an omission.
     fn missing_hardness(&self) -> Option<Finding> {
         let elastic = |body: &asperity::Body| body.hardness.or(body.yield_strength).is_none();
-        let [first, second] = &self.bodies[..] else { return None };
+        let [first, second] = self.bodies() else { return None };
         let (k, body) = match (elastic(first), elastic(second)) {
             (true, false) => (1, first),
             (false, true) => (2, second),
@@ -247,7 +254,7 @@ impl SceneFile {
                 hardness <= limit * (1.0 + 1e-9) && strength < ANNEALED * body.youngs_modulus
             })
         };
-        let softer = self.bodies.iter().find(is_softer)?;
+        let softer = self.bodies().iter().find(is_softer)?;
         let fact = format!(
             "the hardness of {} Pa is {HARDNESS_OVER_YIELD} times the yield strength",
             short(limit)
@@ -260,7 +267,7 @@ impl SceneFile {
 
     /// A warning of which of two equally hard bodies is taken to yield, where it matters.
     fn equally_hard(&self) -> Option<Finding> {
-        let [first, second] = &self.bodies[..] else { return None };
+        let [first, second] = self.bodies() else { return None };
         let alike = first.hardness == second.hardness
             && first.yield_strength == second.yield_strength
             && first.hardness.or(first.yield_strength).is_some();
@@ -275,10 +282,10 @@ impl SceneFile {
     fn scan_findings(&self, Measured { statistics, pixel_size, .. }: &Measured) -> Vec<Finding> {
         let mut found = vec![];
         // Outliers would be part of measured heights.
-        let clean = !statistics.outliers.matter() && self.no_asperities.is_none();
+        let clean = !statistics.outliers.matter() && self.no_asperities().is_none();
         if clean && matches!(self.scene.heights, HeightDistribution::Gaussian) {
             // Only one areal scan, or aligned ones, has summits.
-            let advice = match self.scan.as_deref().is_some_and(|scan| !scan.is_profile()) {
+            let advice = match self.scan().is_some_and(|scan| !scan.is_profile()) {
                 true => {
                     "the heights are not Gaussian; heights = \"measured\" uses those of the scan"
                 }

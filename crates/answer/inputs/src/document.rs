@@ -12,11 +12,12 @@ use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Table, Value};
 
+use crate::error::{Place, SceneError};
 use crate::keys::{COUNTERFACE, Field, Key, joined, keys_of, section_and_name};
 use crate::likely::number_hint;
+use crate::origin::Provenance;
 use crate::quantity::{converted, in_si};
 use crate::text_file::shorten;
-use crate::{Place, SceneError};
 
 /// Files that a scene may name, by name: their bytes.
 pub type HandedFiles = BTreeMap<String, Vec<u8>>;
@@ -35,17 +36,16 @@ pub(crate) enum Files<'a> {
 /// A text in TOML, parsed once.
 #[derive(Debug)]
 pub(crate) struct Document<'a> {
-    file: Option<&'a Path>,
     files: Files<'a>,
     text: &'a str,
+    /// The offsets of the ends of lines.
+    ends: Vec<usize>,
     /// The values, with numbers in SI units instead of those with units.
     pub(crate) table: Table,
-    /// The keys of numbers with a unit.
-    pub(crate) stated: Vec<String>,
-    /// The keys of numbers in a unit that is not decimal, such as psi or HV, and their conversions.
-    pub(crate) converted: Vec<(String, String)>,
-    /// Every key with the range of it and its value, and that of the value.
-    places: BTreeMap<String, [Range<usize>; 2]>,
+    /// Where each key was written.
+    pub(crate) origin: Provenance,
+    /// Every key with the range of its value in the text.
+    values: BTreeMap<String, Range<usize>>,
 }
 
 impl<'a> Document<'a> {
@@ -55,11 +55,12 @@ impl<'a> Document<'a> {
         files: Files<'a>,
         text: &'a str,
     ) -> Result<Self, SceneError> {
-        let (table, stated, places) = (Table::new(), vec![], BTreeMap::new());
-        let converted = vec![];
-        let mut document = Self { file, files, text, table, stated, converted, places };
+        let origin = Provenance { file: file.map(Path::to_path_buf), ..Provenance::default() };
+        let ends = text.match_indices('\n').map(|(end, _)| end).collect();
+        let (table, values) = (Table::new(), BTreeMap::new());
+        let mut document = Self { files, text, ends, table, origin, values };
         let root = DeTable::parse(text).map_err(|error| document.toml_error(&error))?;
-        document.places.insert(String::new(), [root.span(), root.span()]);
+        document.keep_place("", 0, root.span());
         document.table = document.read_table(root.get_ref(), "")?;
         Ok(document)
     }
@@ -70,10 +71,15 @@ impl<'a> Document<'a> {
         let value = |(key, value): (&Spanned<Cow<'_, str>>, &Spanned<DeValue<'_>>)| {
             let (a, b) = (key.span(), value.span());
             let path = joined(section, &shorten(key.get_ref()));
-            self.places.insert(path.clone(), [a.start.min(b.start)..a.end.max(b.end), b]);
+            self.keep_place(&path, a.start.min(b.start), b);
             Ok((key.get_ref().clone().into_owned(), self.read_value(value.get_ref(), &path)?))
         };
         table.iter().map(value).collect()
+    }
+
+    fn keep_place(&mut self, path: &str, start: usize, value: Range<usize>) {
+        self.origin.lines.extend(self.line(start).map(|line| (path.to_string(), line)));
+        self.values.insert(path.into(), value);
     }
 
     fn read_value(&mut self, value: &DeValue<'_>, path: &str) -> Result<Value, SceneError> {
@@ -88,10 +94,10 @@ impl<'a> Document<'a> {
                         let hint = number_hint(key, text).unwrap_or(hint);
                         SceneError::Notation { at, found, hint }
                     })?;
-                    self.stated.push(path.into());
+                    self.origin.stated.push(path.into());
                     let same = converted(text, key, units.0);
                     let is = |same| (path.into(), format!("{} is {same}", shorten(text)));
-                    self.converted.extend(same.map(is));
+                    self.origin.converted.extend(same.map(is));
                     Value::Float(number)
                 }
                 None => Value::String(text.clone().into_owned()),
@@ -104,7 +110,7 @@ impl<'a> Document<'a> {
             DeValue::Array(items) => {
                 let item = |(item, k): (&Spanned<DeValue<'_>>, i32)| {
                     let item_path = format!("{path}[{k}]");
-                    self.places.insert(item_path.clone(), [item.span(), item.span()]);
+                    self.keep_place(&item_path, item.span().start, item.span());
                     self.read_value(item.get_ref(), &item_path)
                 };
                 Value::Array(items.iter().zip(1..).map(item).collect::<Result<_, _>>()?)
@@ -129,17 +135,6 @@ impl<'a> Document<'a> {
     /// The number of a key.
     pub(crate) fn number(&self, path: &str) -> Result<Option<f64>, SceneError> {
         self.get(path)
-    }
-
-    /// The number of a key of a section; an error if it is not positive.
-    pub(crate) fn positive(
-        &self,
-        section: &str,
-        key: &'static str,
-    ) -> Result<Option<f64>, SceneError> {
-        let given = self.number(&joined(section, key))?;
-        let checked = given.map(|value| asperity::positive(key, value)).transpose();
-        checked.map_err(self.refused(section))
     }
 
     /// The number of a key that a scene must have.
@@ -201,7 +196,7 @@ impl<'a> Document<'a> {
         };
         let unknown = table.keys().filter(|name| !known.contains(&name.as_str()));
         let unknown = unknown.map(|name| joined(section, &shorten(name)));
-        let start = |path: &String| self.places.get(path).map(|[key, _]| key.start);
+        let start = |path: &String| self.values.get(path).map(|value| value.start);
         unknown.min_by_key(start).map_or(Ok(()), |path| Err(self.unknown(&path, known)))
     }
 
@@ -214,10 +209,10 @@ impl<'a> Document<'a> {
         (1..=bodies).try_for_each(|k| self.check_keys(&format!("body[{k}]"), &keys_of("body")))
     }
 
-    fn at(&self, field: &str, offset: usize) -> Box<Place> {
-        let before = self.text.bytes().take(offset).filter(|byte| *byte == b'\n');
-        let line = (!matches!(self.files, Files::Nowhere)).then(|| 1 + before.count());
-        Box::new(Place { file: self.file.map(Path::to_path_buf), line, field: field.into() })
+    /// The line of an offset; none for keywords.
+    fn line(&self, offset: usize) -> Option<usize> {
+        let before = self.ends.partition_point(|end| *end < offset);
+        (!matches!(self.files, Files::Nowhere)).then_some(1 + before)
     }
 
     /// A path relative to the scene file, or the name of a file that was handed over.
@@ -249,14 +244,12 @@ impl<'a> Document<'a> {
     }
 
     pub(crate) fn has(&self, path: &str) -> bool {
-        self.places.contains_key(path)
+        self.values.contains_key(path)
     }
 
     /// The place of a key; a missing key has the line of its section.
     pub(crate) fn place(&self, path: &str) -> Box<Place> {
-        let section = path.rsplit_once(['.', '[']).map_or("", |(section, _)| section);
-        let place = self.places.get(path).or_else(|| self.places.get(section));
-        self.at(path, place.map_or(0, |[key, _]| key.start))
+        self.origin.place(path).into()
     }
 
     /// Converts an error of the library to an error at the key of a section.
@@ -290,7 +283,7 @@ mod tests {
         let table = b"height_m,density_per_m\n-1e-6,0\n0,1e6\n1e-6,0\n";
         files.insert("a/pdf.csv".into(), table.to_vec());
         let file = crate::parse_handed(text, &files).unwrap();
-        assert_eq!(file.table.unwrap().points().len(), 3);
+        assert_eq!(file.table().unwrap().points().len(), 3);
         let scan = text.replace("heights =", "file = \"b.x3p\"\n#").replace("asperity_", "# ");
         let broken = HandedFiles::from([("b.x3p".into(), vec![])]);
         let refused = crate::parse_handed(&scan, &broken).unwrap_err().to_string();

@@ -1,10 +1,16 @@
 //! Evidence from boundary elements for a scene: its scan has a skewness and a lay.
 
+use std::sync::Arc;
+
 use asperity::{ContactError, Model, Recommendation, Request, SurfaceShape, recommend_among};
 use asperity_topography::{PowerLaw, Spectra, Statistics};
 
-use crate::check::KURTOSIS;
-use crate::{Measured, SceneFile};
+use crate::measured::Scan;
+use crate::scene_file::SceneFile;
+use crate::spec::SurfaceSpec;
+
+/// The range of the kurtosis of nearly Gaussian heights.
+pub(crate) const KURTOSIS: [f64; 2] = [2.0, 5.0];
 
 impl SceneFile {
     /// [`recommend_among`](asperity::recommend_among) these models on the scene, with the skewness
@@ -37,7 +43,8 @@ impl SceneFile {
     /// # Errors
     /// [`ContactError::Refused`] with the reason why no solved surface is like the scan.
     pub fn surface_shape(&self) -> Result<Option<SurfaceShape>, ContactError> {
-        let Some(Measured { statistics, .. }) = &self.measured else { return Ok(None) };
+        let Some(measured) = &self.measured else { return Ok(None) };
+        let statistics = &measured.statistics;
         let Statistics { ssk, sku, .. } = *statistics;
         // Solved surfaces are skewed by an exponential of Gaussian heights.
         let [from, to] = [KURTOSIS[0], 2.0f64.mul_add(ssk * ssk, KURTOSIS[1])];
@@ -59,12 +66,22 @@ impl SceneFile {
     /// no power law, the given one: an option of `persson` does not change the scan. Fitted once:
     /// of 1024 x 1024 points it takes a tenth of a second, and each corrected model asks for it.
     fn hurst(&self) -> Option<f64> {
-        let fit = || {
-            let scan = self.scan.as_deref().or(self.rougher.as_deref())?;
-            let Spectra { radial, .. } = scan.spectra().ok()?;
+        let fit = |scan: &Scan| {
+            let Spectra { radial, .. } = scan.topography.spectra().ok()?;
             Some(PowerLaw::fit(&radial?).ok()?.hurst)
         };
-        self.hurst.get_or_init(fit).or(self.options.hurst_exponent)
+        let scan = self.spec.single_scan().or_else(|| self.rougher());
+        let own = scan.and_then(|scan| *scan.hurst.get_or_init(|| fit(scan)));
+        own.or(self.spec.options.hurst_exponent)
+    }
+
+    /// Of two surfaces, the scan of the one with the larger m4, if it has one.
+    fn rougher(&self) -> Option<&Arc<Scan>> {
+        let m4 = |one: &SurfaceSpec| {
+            one.moments(&self.scene.interface).map_or(f64::INFINITY, |moments| moments.m4)
+        };
+        let (first, second) = (&self.spec.surface, self.spec.counterface.as_ref()?);
+        if m4(first) < m4(second) { second.scan() } else { first.scan() }
     }
 }
 
@@ -74,6 +91,7 @@ mod tests {
     use asperity_topography::Topography;
 
     use super::*;
+    use crate::measured::Measured;
 
     /// Waves in many directions, with slopes along columns smaller by the factor `lengthened`.
     fn scan(lengthened: f64) -> Topography {
@@ -92,12 +110,16 @@ mod tests {
         Topography::new((0..128 * 128).map(height).collect(), 128, [1e-6; 2]).unwrap()
     }
 
+    fn measured(statistics: Statistics) -> Arc<Measured> {
+        Measured { statistics, pixel_size: 1e-6, long_wavelength: None }.into()
+    }
+
     /// A verdict by boundary elements, or the shape beyond that of the solved surfaces.
     fn summary(scan: &Topography) -> String {
         let mut file = crate::parse(crate::template(), std::path::Path::new(".")).unwrap();
         let statistics = scan.statistics(asperity_topography::Estimator::Moments).unwrap();
         file.scene.surface = statistics.surface().unwrap();
-        file.measured = Some(Measured { statistics, pixel_size: 1e-6, long_wavelength: None });
+        file.measured = Some(measured(statistics));
         let request = Request::new([Quantity::Area]).at([At::Pressure(1e6)]);
         let ke = file.model("ke").unwrap();
         let verdict = file.recommend_among(vec![ke.clone()], &request, &ke, 0.1).unwrap();
@@ -120,9 +142,10 @@ mod tests {
         let file = |fitted: Option<f64>| {
             let mut file = crate::parse(crate::template(), std::path::Path::new(".")).unwrap();
             let statistics = scan(1.0).statistics(asperity_topography::Estimator::Moments).unwrap();
-            file.measured = Some(Measured { statistics, pixel_size: 1e-6, long_wavelength: None });
-            file.options.hurst_exponent = Some(0.9);
-            file.hurst.set(fitted).unwrap();
+            file.measured = Some(measured(statistics));
+            file.spec.options.hurst_exponent = Some(0.9);
+            let file = file.pressing_scan(scan(1.0));
+            file.spec.single_scan().unwrap().hurst.set(fitted).unwrap();
             file.surface_shape().unwrap().unwrap().hurst
         };
         assert_eq!((file(Some(0.3)), file(None)), (Some(0.3), Some(0.9)));

@@ -4,7 +4,8 @@ use asperity::film::PatirCheng;
 use asperity::{Asperities, Model};
 use asperity_topography::{Lay, Topography};
 
-use crate::{Place, SceneError, SceneFile};
+use crate::error::{Place, SceneError};
+use crate::scene_file::SceneFile;
 
 /// The largest angle between the lay of a scan and its rows or columns.
 const OBLIQUE: f64 = 10.0;
@@ -21,15 +22,16 @@ impl SceneFile {
     pub fn flow(&self, model: &Model) -> Result<PatirCheng, SceneError> {
         let alike = model.asperities() == Asperities::Pairs && self.scene.pair.is_none();
         let share_at_rest = match self.scene.pair {
-            None if !alike => self.counter_variance / self.scene.surface_height_std().powi(2),
+            None if !alike => self.counter_variance() / self.scene.surface_height_std().powi(2),
             _ => self.scene.both_surfaces().share_of_second(),
         };
-        let [moving, resting] = self.peklenik_numbers;
+        let counterface = self.spec.counterface.as_ref();
+        let resting = counterface.and_then(|second| second.peklenik_number);
         let refused = |reason: String| {
             let at = Place::field(format!("surface.{PEKLENIK}")).into();
             Err(SceneError::Refused { at, reason })
         };
-        let moving = match (moving, self.scan.as_deref()) {
+        let moving = match (self.spec.surface.peklenik_number, self.scan()) {
             (Some(given), _) => given,
             (None, Some(scan)) => match peklenik_number(scan) {
                 Ok(measured) => measured,
@@ -45,12 +47,22 @@ impl SceneFile {
         // Two scans of `files` have one number, as they have one section; like surfaces as well.
         let of_scans = if self.measured.is_some() || alike { moving } else { 1.0 };
         let friction_cut_off =
-            self.options.friction_cut_off.unwrap_or(PatirCheng::default().friction_cut_off);
+            self.spec.options.friction_cut_off.unwrap_or(PatirCheng::default().friction_cut_off);
         Ok(PatirCheng {
             peklenik_numbers: [moving, resting.unwrap_or(of_scans)],
             share_at_rest,
             friction_cut_off,
         })
+    }
+}
+
+impl SceneFile {
+    /// The mean square of the heights of the second surface \[m²\], beside a scan; 0 of a single
+    /// surface and of aligned scans.
+    fn counter_variance(&self) -> f64 {
+        let second = self.spec.counterface.as_ref().filter(|_| self.spec.pressed.is_none());
+        let moments = second.and_then(|second| second.moments(&self.scene.interface));
+        moments.map_or(0.0, |moments| moments.m0)
     }
 }
 

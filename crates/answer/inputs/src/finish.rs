@@ -3,14 +3,13 @@
 
 use std::f64::consts::FRAC_2_PI;
 
-use asperity::{Finding, nearest_name, short};
+use asperity::{ContactError, Finding, ProfileMoments, nearest_name, positive, short};
 
-use crate::SceneError;
 use crate::document::Document;
+use crate::error::SceneError;
 use crate::finishes::{Range, UNKNOWN, finishes};
-use crate::likely::{in_other_unit, other_unit};
+use crate::ranges::{Corner, Face, MIDDLE, NAMES, Unknown};
 use crate::text_file::shorten;
-use crate::unknowns::{Face, NAMES, Unknown};
 
 /// The keys of a surface by its finish.
 pub(crate) const FINISH: &[&str] = &[
@@ -35,92 +34,159 @@ const LONGEST: f64 = 0.08;
 /// The power of Rq in the usual slope.
 const POWER: f64 = 0.402;
 
-/// The numbers that a section takes from a drawing.
-struct Drawing<'d> {
-    document: &'d Document<'d>,
-    section: &'static str,
+/// A surface as a drawing gives it: its roughness and its finish, in SI units.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Drawing {
+    /// The numbers in the order of [`FINISH`].
+    numbers: [Option<f64>; FINISH.len()],
     finish: Option<&'static str>,
-    /// The cut-offs of the profile \[m\]: λ_s and λ_c.
-    wavelengths: [f64; 2],
+    /// Where the unknowns are taken; without it they have ranges.
+    pub(crate) at: Option<Corner>,
 }
 
-type Read<T> = Result<T, SceneError>;
+/// What a drawing says of its surface.
+struct Parts {
+    /// Ra \[m\]: estimated, as of Gaussian heights, where it is not given.
+    ra: f64,
+    height: Unknown,
+    /// The mean slope across the lay at the middle of Rq.
+    across: Unknown,
+    /// The power of Rq by which the slope varies.
+    slope_power: f64,
+    bandwidth: Unknown,
+}
 
-/// The surface that the keys of a section describe, the warning of a number that is probably in
-/// another unit, and those of numbers that contradict each other.
-///
-/// # Errors
-/// [`SceneError`] for a finish that is not in the table, a number that is out of range, and a
-/// missing height or slope.
-pub(crate) fn face(
-    document: &Document<'_>,
-    section: &'static str,
-) -> Read<(Face, Option<Finding>, Vec<Finding>)> {
-    let at = format!("{section}.finish");
-    let word: Option<String> = document.get(&at)?;
-    let finish = word.map(|word| named(document, &at, &word)).transpose()?;
-    let mut drawing = Drawing { document, section, finish, wavelengths: [0.0; 2] };
-    let (height, ra) = drawing.height()?;
-    let usual = Range::wavelengths(ra);
-    for (k, key) in ["lambda_s", "lambda_c"].into_iter().enumerate() {
-        let usual = usual.map(|usual| usual[k]);
-        drawing.wavelengths[k] = match drawing.number(key)?.or(usual) {
-            Some(length) => length,
-            None => return drawing.missing(key, "a cut-off of the profile".into()),
-        };
+type Found<T> = Result<T, ContactError>;
+
+fn missing<T>(field: &'static str, reason: String) -> Found<T> {
+    Err(ContactError::Missing { field, reason })
+}
+
+impl Drawing {
+    /// The drawing that the keys of a section describe.
+    ///
+    /// # Errors
+    /// [`SceneError`] for a finish that is not in the table, and for keys that exclude each other.
+    pub(crate) fn read(document: &Document<'_>, section: &str) -> Result<Self, SceneError> {
+        let at = |key: &str| format!("{section}.{key}");
+        let word: Option<String> = document.get(&at("finish"))?;
+        let finish = word.map(|word| named(document, &at("finish"), &word)).transpose()?;
+        let mut drawing = Self { finish, ..Self::default() };
+        for (key, number) in
+            FINISH.iter().zip(&mut drawing.numbers).filter(|(key, _)| **key != "finish")
+        {
+            *number = document.number(&at(key))?;
+        }
+        match drawing.conflict() {
+            Some((one, other, needed)) => Err(document.conflict(&at(one), &at(other), needed)),
+            None => Ok(drawing),
+        }
     }
-    drawing.check()?;
-    let (across, slope_power) = drawing.slope_across(&height)?;
-    let bandwidth = drawing.bandwidth()?;
-    let (odd, notes) = (drawing.odd()?, drawing.warnings(ra, &height, &across)?);
-    let slope = drawing.areal(across)?;
-    Ok((Face { section, unknowns: [height, slope, bandwidth], slope_power }, odd, notes))
-}
 
-impl Drawing<'_> {
-    fn at(&self, key: &str) -> String {
-        format!("{}.{key}", self.section)
+    /// The number of a key as it was written.
+    pub(crate) fn get(&self, key: &str) -> Option<f64> {
+        FINISH.iter().zip(self.numbers).find(|(name, _)| **name == key)?.1
+    }
+
+    pub(crate) fn set(&mut self, key: &str, value: f64) {
+        let mut all = FINISH.iter().zip(&mut self.numbers);
+        all.by_ref()
+            .filter(|(name, _)| **name == key)
+            .for_each(|(_, number)| *number = Some(value));
+    }
+
+    /// The numbers that were written.
+    pub(crate) fn by_key(&self) -> impl Iterator<Item = (&'static str, f64)> {
+        FINISH.iter().zip(self.numbers).filter_map(|(key, number)| Some((*key, number?)))
+    }
+
+    pub(crate) fn finish(&self) -> Option<&'static str> {
+        self.finish
+    }
+
+    /// Two keys that exclude each other, with what is needed.
+    pub(crate) fn conflict(&self) -> Option<(&'static str, &'static str, &'static str)> {
+        let given = |key: &&str| self.get(key).is_some();
+        if given(&"rdq") && given(&"mean_slope") {
+            return Some(("rdq", "mean_slope", "one of the two"));
+        }
+        let of_tool = ["feed", "nose_radius"].into_iter().find(given);
+        let needed = "finish = \"turned\", whose cusps have a feed and a nose_radius,";
+        let key = of_tool.filter(|_| self.finish != Some("turned"))?;
+        Some((key, "finish", needed))
+    }
+
+    /// The surface with its unknowns.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the number that is missing or out of range.
+    pub(crate) fn face(&self) -> Found<Face> {
+        let Parts { height, across, slope_power, bandwidth, .. } = self.parts()?;
+        Ok(Face { unknowns: [height, self.areal(across)?, bandwidth], slope_power })
+    }
+
+    /// The moments of the surface where its unknowns are taken, by default in the middle.
+    pub(crate) fn moments(&self) -> Found<ProfileMoments> {
+        Ok(self.face()?.moments(self.at.unwrap_or(MIDDLE)))
+    }
+
+    fn parts(&self) -> Found<Parts> {
+        if let Some((one, other, needed)) = self.conflict() {
+            let reason = format!("excludes {other}: {needed} was required");
+            return Err(ContactError::Refused { model: one.into(), reason });
+        }
+        let (height, ra) = self.height()?;
+        let wavelengths = self.wavelengths(ra)?;
+        let (across, slope_power) = self.slope_across(&height, wavelengths)?;
+        Ok(Parts { ra, height, across, slope_power, bandwidth: self.bandwidth(wavelengths)? })
     }
 
     /// The number of a key, if it is given; an error if it is not positive.
-    fn number(&self, key: &'static str) -> Read<Option<f64>> {
-        self.document.positive(self.section, key)
+    fn number(&self, key: &'static str) -> Found<Option<f64>> {
+        self.get(key).map(|value| positive(key, value)).transpose()
     }
 
-    fn missing<T>(&self, key: &str, needed: String) -> Read<T> {
-        Err(self.document.missing(&self.at(key), needed))
-    }
-
-    /// Refuses cut-offs that no profile has, and an Rq below Ra.
-    fn check(&self) -> Read<()> {
-        let [short_cut, cut] = self.wavelengths;
+    /// The cut-offs of the profile \[m\], λ_s and λ_c: refuses those that no profile has, and
+    /// an Rq below Ra.
+    fn wavelengths(&self, ra: f64) -> Found<[f64; 2]> {
+        let usual = Range::wavelengths(ra);
+        let mut found = [0.0; 2];
+        for (k, key) in ["lambda_s", "lambda_c"].into_iter().enumerate() {
+            found[k] = match self.number(key)?.or(usual.map(|usual| usual[k])) {
+                Some(length) => length,
+                None => return missing(key, "a cut-off of the profile".into()),
+            };
+        }
+        let [short_cut, cut] = found;
         let below = self.number("rq")?.zip(self.number("ra")?).filter(|(rq, ra)| rq < ra);
-        let (key, value, hint) = match below {
-            Some((rq, _)) => ("rq", rq, "is below ra, which no surface has: check both"),
-            None if cut > LONGEST => ("lambda_c", cut, "is in m: write \"0.8 mm\", for example"),
-            None if cut <= short_cut => {
-                ("lambda_c", cut, "is the long cut-off of the profile, and lambda_s is no shorter")
+        let (field, value, required) = match below {
+            Some((rq, _)) => ("rq", rq, "a value of at least ra"),
+            None if cut > LONGEST => {
+                ("lambda_c", cut, "a length in m up to 0.08, for example \"0.8 mm\",")
             }
-            None => return Ok(()),
+            None if cut <= short_cut => ("lambda_c", cut, "a cut-off longer than lambda_s"),
+            None => return Ok(found),
         };
-        let at = self.document.place(&self.at(key));
-        Err(SceneError::Notation { at, found: short(value), hint: hint.into() })
+        Err(ContactError::OutOfRange { field, value, required })
     }
 
     /// The range of a number for this finish.
-    fn range(&self, what: &str) -> Read<&'static Range> {
+    fn range(&self, what: &str) -> Found<&'static Range> {
         match Range::of_finish(what, self.finish.unwrap_or(UNKNOWN)) {
             Some(range) => Ok(range),
-            None => self.missing("finish", format!("a finish with a known {what}")),
+            None => missing("finish", format!("a finish with a known {what}")),
         }
     }
 
     /// The range of a number for these cut-offs, or an error that asks for `key` instead.
-    fn at_ratio(&self, what: &str, key: &str) -> Read<&'static Range> {
-        let [short_cut, cut] = self.wavelengths;
+    fn at_ratio(
+        what: &str,
+        key: &'static str,
+        [short_cut, cut]: [f64; 2],
+    ) -> Found<&'static Range> {
         match Range::at_ratio(what, cut / short_cut) {
             Some(range) => Ok(range),
-            None => self.missing(
+            None => missing(
                 key,
                 format!(
                     "lambda_c/lambda_s is {}, and scans give a range from 10 to 320 only",
@@ -131,7 +197,7 @@ impl Drawing<'_> {
     }
 
     /// Rq, and Ra \[m\]: estimated, as of Gaussian heights, where it is not given.
-    fn height(&self) -> Read<(Unknown, f64)> {
+    fn height(&self) -> Found<(Unknown, f64)> {
         let (ra, rq, rz) = (self.number("ra")?, self.number("rq")?, self.number("rz")?);
         if let Some(rq) = rq {
             return Ok((Unknown::given(NAMES[0], rq, "rq"), ra.unwrap_or(FRAC_2_PI.sqrt() * rq)));
@@ -152,18 +218,15 @@ impl Drawing<'_> {
                 let ra = FRAC_2_PI.sqrt() * height.range[1];
                 Ok((height, ra))
             }
-            (None, None) => self
-                .missing("ra", "a finish needs the height of the roughness: ra, rq or rz".into()),
+            (None, None) => {
+                missing("ra", "a finish needs the height of the roughness: ra, rq or rz".into())
+            }
         }
     }
 
     /// The mean slope across the lay at the middle of Rq, and the power of Rq by which it varies.
-    fn slope_across(&self, height: &Unknown) -> Read<(Unknown, f64)> {
+    fn slope_across(&self, height: &Unknown, wavelengths: [f64; 2]) -> Found<(Unknown, f64)> {
         let (rdq, mean) = (self.number("rdq")?, self.number("mean_slope")?);
-        if rdq.is_some() && mean.is_some() {
-            let [rdq, mean] = ["rdq", "mean_slope"].map(|key| self.at(key));
-            return Err(self.document.conflict(&rdq, &mean, "one of the two"));
-        }
         // The mean of |x| of a normal x is √(2/π) standard deviations.
         let of_rdq = rdq.map(|rdq| (FRAC_2_PI.sqrt() * rdq, "rdq"));
         if let Some((slope, key)) = of_rdq.or(mean.map(|mean| (mean, "mean_slope"))) {
@@ -171,15 +234,15 @@ impl Drawing<'_> {
         }
         let (rz, rsm) = (self.number("rz")?, self.number("rsm")?);
         if rsm.is_some() && rz.is_none() {
-            return self.missing("rz", "rsm gives the slope with rz only".into());
+            return missing("rz", "rsm gives the slope with rz only".into());
         }
         let (range, slope, power, text, narrowed) = match rz.zip(rsm) {
             Some((rz, rsm)) => {
-                let range = self.at_ratio("slope_over_rz_rsm", "rdq")?;
+                let range = Self::at_ratio("slope_over_rz_rsm", "rdq", wavelengths)?;
                 (range, 2.0 * rz / rsm, 0.0, "times 2 rz/rsm", "rdq or a scan")
             }
             None if self.finish.is_none() => {
-                return self.missing(
+                return missing(
                     "finish",
                     format!(
                         "a height leaves the slope open: {}; or rdq, mean_slope, or rz with rsm",
@@ -205,25 +268,19 @@ impl Drawing<'_> {
     }
 
     /// Feed and nose radius of a turned surface.
-    fn tool(&self) -> Read<Option<(f64, f64)>> {
+    fn tool(&self) -> Found<Option<(f64, f64)>> {
         let (feed, radius) = (self.number("feed")?, self.number("nose_radius")?);
-        let given = feed.map(|_| "feed").or(radius.map(|_| "nose_radius"));
-        match (given, feed.zip(radius)) {
-            (Some(key), _) if self.finish != Some("turned") => {
-                let needed = "finish = \"turned\", whose cusps have a feed and a nose_radius,";
-                Err(self.document.conflict(&self.at(key), &self.at("finish"), needed))
-            }
-            (Some(_), None) => {
-                let key = if feed.is_some() { "nose_radius" } else { "feed" };
-                self.missing(key, "feed and nose_radius go together".into())
-            }
-            (_, tool) => Ok(tool),
+        match (feed, radius) {
+            (Some(feed), Some(radius)) => Ok(Some((feed, radius))),
+            (None, None) => Ok(None),
+            (Some(_), None) => missing("nose_radius", "feed and nose_radius go together".into()),
+            (None, Some(_)) => missing("feed", "feed and nose_radius go together".into()),
         }
     }
 
     /// The slope of the isotropic surface with the same rms gradient as one with this slope across
     /// the lay of the finish; without a finish the surface is isotropic, as one by other numbers.
-    fn areal(&self, across: Unknown) -> Read<Unknown> {
+    fn areal(&self, across: Unknown) -> Found<Unknown> {
         let lay = self.range("along_over_across")?;
         let Some(finish) = self.finish.filter(|_| lay.lower < 1.0) else { return Ok(across) };
         let areal = |slope: f64, ratio: f64| slope * (0.5 * (1.0 + ratio * ratio)).sqrt();
@@ -237,34 +294,27 @@ impl Drawing<'_> {
     }
 
     /// The bandwidth, given or by the ratio of the cut-offs.
-    fn bandwidth(&self) -> Read<Unknown> {
+    fn bandwidth(&self, wavelengths: [f64; 2]) -> Found<Unknown> {
         if let Some(bandwidth) = self.number("bandwidth")? {
             return Ok(Unknown::given(NAMES[2], bandwidth, "bandwidth"));
         }
-        let range = self.at_ratio("bandwidth", "bandwidth")?;
-        let [short_cut, cut] = self.wavelengths.map(|length| short(1e6 * length));
+        let range = Self::at_ratio("bandwidth", "bandwidth", wavelengths)?;
+        let [short_cut, cut] = wavelengths.map(|length| short(1e6 * length));
         let source = format!("lambda_c {cut} um, lambda_s {short_cut} um: {}", range.source);
         let ends = [range.lower, range.upper];
         Ok(Unknown::new(NAMES[2], ends, &range.status, source, "bandwidth or a scan"))
     }
 
-    /// The warning of a height that only another unit makes usual.
-    fn odd(&self) -> Read<Option<Finding>> {
-        let mut given = vec![];
-        for key in ["ra", "rq", "rz"] {
-            given.extend(self.number(key)?.map(|value| (key, value)));
-        }
-        let odd = other_unit(self.document, self.section, given);
-        Ok(odd.map(|odd| in_other_unit(self.document, self.section, odd)))
-    }
-
     /// The warnings of numbers that contradict each other.
-    fn warnings(&self, ra: f64, height: &Unknown, across: &Unknown) -> Read<Vec<Finding>> {
+    ///
+    /// # Errors
+    /// Those of [`face`](Self::face).
+    pub(crate) fn warnings(&self, place: impl Fn(&str) -> String) -> Found<Vec<Finding>> {
+        let Parts { ra, height, across, .. } = self.parts()?;
         let mut found = vec![];
         let mut warn = |key: &'static str, value: f64, fact: String, advice: &str| {
-            let place = self.document.place(&self.at(key)).to_string();
             let warning = Finding::warning("roughness-numbers", key, value);
-            found.push(warning.fact(fact).advice(advice.to_string()).from_origin(place));
+            found.push(warning.fact(fact).advice(advice.to_string()).from_origin(place(key)));
         };
         // Where Rq is not given, some value of its range is to go with Rz.
         let [least, _, most] = height.range;
@@ -309,8 +359,7 @@ impl Drawing<'_> {
 
     /// The key that gives the slope.
     fn slope_key(&self) -> &'static str {
-        let given =
-            ["rdq", "mean_slope", "rsm"].into_iter().find(|key| self.document.has(&self.at(key)));
+        let given = ["rdq", "mean_slope", "rsm"].into_iter().find(|key| self.get(key).is_some());
         given.unwrap_or("finish")
     }
 }
@@ -328,7 +377,7 @@ fn one_finish() -> String {
 }
 
 /// The finish of the table with this name.
-fn named(document: &Document<'_>, at: &str, word: &str) -> Read<&'static str> {
+fn named(document: &Document<'_>, at: &str, word: &str) -> Result<&'static str, SceneError> {
     let wanted = word.trim().to_lowercase();
     finishes().find(|name| *name == wanted).ok_or_else(|| SceneError::Value {
         at: document.place(at),

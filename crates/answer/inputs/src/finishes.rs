@@ -77,7 +77,7 @@ mod tests {
             assert!(0.0 < *lower && lower <= upper && !source.is_empty(), "{what} of {of}");
             assert!(["formula", "scan", "assumed", "ISO"].contains(&&**status), "{status}");
         }
-        let key = crate::KEYS.iter().find(|key| key.name == "finish").unwrap();
+        let key = crate::keys::KEYS.iter().find(|key| key.name == "finish").unwrap();
         assert_eq!(finishes().collect::<Vec<_>>().join("|"), key.form[1]);
         for what in ["rq_over_ra", "rz_over_rq", "slope", "along_over_across"] {
             assert!(finishes().all(|finish| Range::of_finish(what, finish).is_some()), "{what}");

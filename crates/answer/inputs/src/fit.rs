@@ -6,11 +6,12 @@ use asperity::fit::{
     Data, Fit, FitError, Fitted, Measured, MeasuredTable, Observation, Parameter, Progress, Rig,
     Role, USUAL_FACTOR, places, predict,
 };
-use asperity::{At, Findings, Interface, Model, Quantity, Scene, Severity};
+use asperity::{At, Findings, Interface, Model, Quantity, Scene, Severity, short};
 
-use crate::free::bounds_in_other_unit;
-use crate::free::unit_of_free;
-use crate::{BODY, Free, Place, SceneError, SceneFile, key_of_input};
+use crate::error::{Place, SceneError};
+use crate::free::{Free, bounds_in_other_unit, unit_of_free};
+use crate::keys::{BODY, key_of_input};
+use crate::scene_file::SceneFile;
 
 impl SceneFile {
     /// The measured values of a table, whose separations are measured from the plane of this scene.
@@ -18,7 +19,7 @@ impl SceneFile {
     /// # Errors
     /// [`SceneError::Fit`] naming the column or the line, the value and what is required.
     pub fn data(&self, table: &MeasuredTable) -> Result<Data, SceneError> {
-        Ok(Data::from_table(table, self.separation_from)?)
+        Ok(Data::from_table(table, self.spec.separation_from)?)
     }
 
     /// The free parameters, which start from the values of this scene. By default their bounds are
@@ -60,6 +61,9 @@ impl SceneFile {
             }
             _ => {
                 let input = self.inputs([free.name.as_str()])?;
+                if let Some(reason) = self.unlike_bodies(&free.name) {
+                    return Err(refused(&free.name, reason));
+                }
                 let value = input.first().and_then(|input| self.value_of(*input));
                 let value = value.or_else(|| self.derived(&free.name));
                 let usual = value.filter(|value| *value > 0.0);
@@ -74,15 +78,8 @@ impl SceneFile {
         };
         let unit = unit_of_free(&free.name).unwrap_or_default();
         let Some([low, high]) = free.bounds.or(usual) else {
-            let name = &free.name;
-            let of_body = BODY.iter().find(|field| field.name == name);
-            let differs = of_body
-                .is_some_and(|field| self.bodies.iter().any(|body| (field.get)(body).is_some()));
-            let reason = match differs {
-                true => format!("the bodies differ in it: free body1_{name} or body2_{name}, or"),
-                false => "the scene gives no value above 0 to start from:".into(),
-            };
-            return Err(refused(name, format!("{reason} give bounds, {name}=low:high")));
+            let reason = "the scene gives no value above 0 to start from: give bounds,";
+            return Err(refused(&free.name, format!("{reason} {}=low:high", free.name)));
         };
         // What a rig adds has no value in the scene to compare with.
         let known = start.filter(|_| !free.has_unit && Role::of(&free.name) == Role::Scene);
@@ -96,13 +93,29 @@ impl SceneFile {
         Ok(Parameter::new(free.name.clone(), unit, start, [low, high], scale)?)
     }
 
+    /// The reason against one value of both bodies for a number in which they differ, even where
+    /// the contact depends on the softer one only: which one that is may change in a fit.
+    fn unlike_bodies(&self, name: &str) -> Option<String> {
+        let field = BODY.iter().find(|field| field.name == name)?;
+        let [first, second] = self.bodies() else { return None };
+        let values = [first, second].map(|body| (field.get)(body));
+        let bits = values.map(|value| value.map(f64::to_bits));
+        let [one, two] = values.map(|value| value.map_or_else(|| "no value".into(), short));
+        (bits[0] != bits[1]).then(|| {
+            let unit = unit_of_free(name).map_or(String::new(), |unit| format!(" {unit}"));
+            format!(
+                "the bodies differ in it ({one} and {two}{unit}): free body1_{name} or body2_{name}"
+            )
+        })
+    }
+
     /// A hardness that follows from the yield strength of the same body or interface, or that
     /// strength from the hardness.
     fn derived(&self, name: &str) -> Option<f64> {
         let key = key_of_input(name);
         let body = match name.strip_suffix(key) {
-            Some("body1_") => self.bodies.first(),
-            Some("body2_") => self.bodies.get(1),
+            Some("body1_") => self.bodies().first(),
+            Some("body2_") => self.bodies().get(1),
             _ => None,
         };
         let mut scene = self.scene.clone();
@@ -143,7 +156,7 @@ impl SceneFile {
         let mut fitted = Fit::new(data, parameters, &scene)?.run_with(&**model, progress)?;
         let (mut file, rig) = self.fitted(&fitted)?;
         // Whether a law holds does not depend on what is accepted.
-        file.accept.clear();
+        file.spec.accept.clear();
         let places = places(&**model, &file.scene, rig, data);
         let unusual = file.findings_at(&**model, &places).at_least(Severity::Warning);
         fitted.findings.extend(unusual);

@@ -3,7 +3,8 @@
 use asperity::fit::Role;
 use asperity::{UNITS, short};
 
-use crate::{key_of_input, quantity, quantity_of, unit_of};
+use crate::keys::key_of_input;
+use crate::quantity::{quantity, quantity_of, unit_of};
 
 /// Bounds that are farther from the scene's value than this factor may be in another unit.
 const FAR: f64 = 100.0;

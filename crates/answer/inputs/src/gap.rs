@@ -5,7 +5,7 @@ use asperity::joints::conductance::gap_conductance;
 use serde::Serialize;
 
 use crate::document::Document;
-use crate::{SceneError, SceneFile};
+use crate::error::SceneError;
 
 /// A gas or liquid in the gap between the surfaces.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -25,23 +25,18 @@ pub(crate) fn gas(document: &Document<'_>) -> Result<Option<Gas>, SceneError> {
     }
     let conductivity = document.needed_number("gap.gas_conductivity")?;
     let parameter = document.needed_number("gap.gas_parameter")?;
-    gap_conductance(conductivity, 1.0, parameter).map_err(|error| match error {
-        ContactError::OutOfRange { field: "thermal_conductivity", value, required } => {
-            let field = "gas_conductivity";
-            document.refused("gap")(ContactError::OutOfRange { field, value, required })
-        }
-        error => document.refused("gap")(error),
-    })?;
     Ok(Some(Gas { conductivity, parameter }))
 }
 
-impl SceneFile {
-    /// The gas in the gap.
-    ///
-    /// # Errors
-    /// [`ContactError::Missing`] without one.
-    pub fn needed_gas(&self) -> Result<Gas, ContactError> {
-        let (field, reason) = ("gas_conductivity", "set it and gas_parameter in [gap]".into());
-        self.gas.ok_or(ContactError::Missing { field, reason })
+impl Gas {
+    /// Checks its numbers.
+    pub(crate) fn check(&self) -> Result<(), ContactError> {
+        let found = gap_conductance(self.conductivity, 1.0, self.parameter);
+        found.map(drop).map_err(|error| match error {
+            ContactError::OutOfRange { field: "thermal_conductivity", value, required } => {
+                ContactError::OutOfRange { field: "gas_conductivity", value, required }
+            }
+            error => error,
+        })
     }
 }

@@ -2,13 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::{ContactError, Finding, TabulatedHeights};
+use asperity::{ContactError, Finding, HeightDistribution, TabulatedHeights, WeibullHeights};
 use serde::Deserialize;
 
 use crate::cells::Cells;
 use crate::document::Document;
+use crate::error::{Place, SceneError};
+use crate::spec::HeightsSpec;
 use crate::text_file::{SAVE_AS_CSV, read_text, shorten};
-use crate::{Place, SceneError};
 
 /// Header of the CSV file: it states the units.
 const HEADER: [&str; 2] = ["height_m", "density_per_m"];
@@ -59,6 +60,26 @@ impl HeightsKey {
             }
             _ => Ok(None),
         }
+    }
+
+    /// The heights with this table, from the key or of the summits of a scan.
+    pub(crate) fn spec(
+        &self,
+        document: &Document<'_>,
+        table: Option<TabulatedHeights>,
+    ) -> Result<HeightsSpec, SceneError> {
+        let (is_measured, file) = match self {
+            Self::Skewed { skewness } => {
+                let heights = WeibullHeights::new(*skewness);
+                let heights = heights.map_err(document.refused("surface.heights"))?;
+                return Ok(HeightDistribution::Weibull(heights).into());
+            }
+            Self::Exponential => return Ok(HeightDistribution::Exponential.into()),
+            Self::Table { file } => (false, Some(document.whole_path(file))),
+            other => (matches!(other, Self::Measured), None),
+        };
+        let of_table = table.map(HeightsSpec::of_table).unwrap_or_default();
+        Ok(HeightsSpec { is_measured, file, ..of_table })
     }
 }
 

@@ -234,6 +234,22 @@ keys! {
 
 /// The section of the second of two rough surfaces.
 pub(crate) const COUNTERFACE: &str = "surface.counterface";
+/// The numbers of a body that a material gives.
+pub(crate) const MECHANICAL: [&str; 4] =
+    ["youngs_modulus", "poissons_ratio", "hardness", "yield_strength"];
+/// The numbers of an interface that do not follow from its bodies.
+pub(crate) const OF_PAIR: [&str; 2] = ["work_of_adhesion", "pressure_factor"];
+/// What names of numbers of one body, or of the second surface, begin with.
+pub(crate) const BODIES: [&str; 2] = ["body1_", "body2_"];
+pub(crate) const SECOND: &str = "counterface_";
+
+/// The key in scene files of a number of a scene: `hardness` of `body1_hardness`.
+#[must_use]
+pub fn key_of_input(name: &str) -> &str {
+    let [first, second] = BODIES;
+    let starts = [first, second, SECOND];
+    starts.iter().find_map(|start| name.strip_prefix(start)).unwrap_or(name)
+}
 
 impl Key {
     /// The key of this name in a section, or else the first of this name.

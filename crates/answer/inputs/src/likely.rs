@@ -4,14 +4,12 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use asperity::{Finding, plain_unit as plain, short, vickers_of_rockwell_c};
 
-use crate::Key;
+use crate::keys::Key;
 use crate::scaled::{leading, scale};
 
 mod lengths;
-mod surface;
 
 pub use lengths::mistaken_unit;
-pub(crate) use surface::{in_other_unit, other_unit, too_steep};
 
 /// The same text with a decimal point, of a number with a decimal comma, whose unit may follow:
 /// `1.5 kN` for `1,5 kN`.

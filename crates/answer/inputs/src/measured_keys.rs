@@ -8,8 +8,8 @@ use asperity_topography::{
 use serde::Deserialize;
 use toml::Table;
 
-use crate::SceneError;
 use crate::document::Document;
+use crate::error::SceneError;
 use crate::keys::{KEYS, Key, Subject};
 
 /// The keys for measured files of `[surface]` or its counterface.

@@ -5,8 +5,8 @@ use std::path::Path;
 use asperity::fit::{DataColumn, MeasuredTable, is_column};
 
 use crate::cells::Cells;
+use crate::error::{Place, SceneError};
 use crate::text_file::{SAVE_AS_CSV, read_text};
-use crate::{Place, SceneError};
 
 /// The columns of a csv of numbers with a header; cells may be empty, and lines that begin with #
 /// are skipped. Where semicolons or tabs separate the cells of the header, numbers may have decimal

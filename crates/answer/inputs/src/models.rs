@@ -4,7 +4,9 @@ use asperity::joints::{Correlated, Correlation};
 use asperity::{Asperities, ContactError, ContactModel, Finding, Model, Quantity, Request};
 use asperity_bem::Bem;
 
-use crate::{ModelOptions, Place, SceneError, SceneFile};
+use crate::error::{Place, SceneError};
+use crate::options::ModelOptions;
+use crate::scene_file::SceneFile;
 
 /// A model that cannot be used for a scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,7 +25,7 @@ impl SceneFile {
     /// [`SceneError::Refused`] for an unknown id, with a near match and all ids; those of
     /// [`bem`](Self::bem).
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
-        self.model_with(&self.options, id)
+        self.model_with(&self.spec.options, id)
     }
 
     /// [`model`](Self::model) with these options instead of the scene's.
@@ -44,7 +46,7 @@ impl SceneFile {
                 match self.no_asperities_for(&model) {
                     Some(reason) => {
                         let at = Place::field("surface.file").into();
-                        Err(SceneError::Refused { at, reason: reason.into() })
+                        Err(SceneError::Refused { at, reason })
                     }
                     None => Ok(model),
                 }
@@ -67,7 +69,7 @@ impl SceneFile {
         let adhesive = interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive());
         let hardening = interface.tangent_modulus.map_or(vec![], |_| Model::hardening());
         for model in known.into_iter().chain(adhesive).chain(hardening) {
-            let model = self.options.model(model.id()).unwrap_or(model);
+            let model = self.spec.options.model(model.id()).unwrap_or(model);
             match self.refusal(&model) {
                 None => allowed.push(model),
                 Some(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),
@@ -79,7 +81,7 @@ impl SceneFile {
     /// Why the scene does not allow a model, if it does not: a missing input, for example.
     #[must_use]
     pub fn refusal(&self, model: &Model) -> Option<ContactError> {
-        let no_asperities = self.no_asperities_for(model).map(str::to_owned);
+        let no_asperities = self.no_asperities_for(model);
         if let Some(reason) = self.open_reason().or(no_asperities) {
             return Some(ContactError::Refused { model: model.id().into(), reason });
         }
@@ -113,9 +115,19 @@ impl SceneFile {
     }
 
     /// Why the scene has no asperities for a model.
-    fn no_asperities_for(&self, model: &Model) -> Option<&str> {
-        let none = self.no_asperities.as_deref().filter(|_| model.validity().asperities);
-        none.or(self.no_pair.filter(|_| model.asperities() == Asperities::Pairs))
+    fn no_asperities_for(&self, model: &Model) -> Option<String> {
+        let none = self.no_asperities().filter(|_| model.validity().asperities);
+        let pairs = || self.no_pair().filter(|_| model.asperities() == Asperities::Pairs);
+        none.or_else(|| pairs().map(Into::into))
+    }
+
+    /// Why models of pairs do not know each of its two surfaces.
+    fn no_pair(&self) -> Option<&'static str> {
+        let unknown = self.spec.counterface.is_some() && self.scene.pair.is_none();
+        unknown.then_some(match self.spec.pressed {
+            Some(_) => "models of pairs need two independent surfaces, not aligned scans",
+            None => "models of pairs need the asperities of each surface, and one has none",
+        })
     }
 
     /// The models to compare with boundary elements on the scene's scan: [`models`](Self::models)
@@ -131,7 +143,7 @@ impl SceneFile {
                 continue;
             }
             let model = self.model(other.id()).unwrap_or(other);
-            let refuses = self.no_asperities.is_some() || !self.spreads().is_empty();
+            let refuses = self.no_asperities().is_some() || !self.spreads().is_empty();
             let refused = self.refusal(&model).filter(|_| refuses);
             match refused.or_else(|| model.compile(&self.scene, &request).err()) {
                 None => models.push(model),

@@ -11,9 +11,9 @@ use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
 use crate::document::{Document, Files};
+use crate::error::{Place, SceneError};
 use crate::keys::{joined, keys_of};
-use crate::scan::ScanSpectrum;
-use crate::{Place, SceneError};
+use crate::measured::ScanSpectrum;
 
 /// Variants of the models; the defaults are the models' own.
 ///

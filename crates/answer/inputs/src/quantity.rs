@@ -5,8 +5,7 @@ use asperity::{
     vickers_of_brinell, vickers_of_rockwell_c,
 };
 
-use crate::inputs::key_of_input;
-use crate::keys::Key;
+use crate::keys::{Key, key_of_input};
 use crate::likely::{hardness_test, notation_hint};
 use crate::scaled::{leading, scale};
 use crate::sides;

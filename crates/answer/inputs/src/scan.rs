@@ -2,36 +2,14 @@
 
 use std::sync::Arc;
 
-use asperity::{Finding, Spectrum};
-use asperity_bem::{Bem, BemError, BemOptions, Continuation, HeightMap};
+use asperity::Spectrum;
+use asperity_bem::{Bem, BemOptions, Continuation, HeightMap};
 use asperity_topography::Topography;
 
-use crate::{Place, SceneError, SceneFile};
-
-/// The height map of a scan for boundary elements.
-///
-/// # Errors
-/// [`BemError`] for a profile, and for missing points.
-pub fn height_map(scan: &Topography) -> Result<HeightMap, BemError> {
-    let [along_row, along_column] = scan.pixel_size();
-    let shape = [scan.rows(), scan.columns()];
-    HeightMap::new(scan.heights().to_vec(), shape, [along_column, along_row])
-}
-
-/// A warning for a scan declared periodic whose edges do not match; `None` for other scans and for
-/// those without a [`height_map`].
-#[must_use]
-pub fn open_seam(scan: &Topography) -> Option<Finding> {
-    let map = height_map(scan).ok().filter(|map| scan.is_periodic() && !map.edges_meet())?;
-    let step = map.seam_step();
-    let fact = format!(
-        "the edges of the scan do not match (step {step:.1} times that between neighbours)"
-    );
-    let found = Finding::warning("open-seam", "seam_step", step).fact(fact);
-    Some(found.advice(
-        "slopes, curvatures and boundary elements include this step; remove periodic if it is not real",
-    ))
-}
+use crate::error::{Place, SceneError};
+use crate::height_map::height_map;
+use crate::measured::ScanSpectrum;
+use crate::scene_file::SceneFile;
 
 impl SceneFile {
     /// The boundary-element model of the scene's scan, levelled and filtered, with the options of
@@ -42,21 +20,22 @@ impl SceneFile {
     /// [`SceneError::Missing`] without a scan or with two that are not aligned;
     /// [`SceneError::Refused`] for a profile and for missing points.
     pub fn bem(&self) -> Result<Bem, SceneError> {
-        self.pressed(self.options.bem())
+        self.pressed(self.spec.options.bem())
     }
 
     /// The scene with these options of boundary elements in front of its own.
     #[must_use]
     pub fn pressing(mut self, given: BemOptions) -> Self {
-        self.options.boundary = given.boundary.or(self.options.boundary);
-        self.options.elastic |= given.elastic;
+        let options = &mut self.spec.options;
+        options.boundary = given.boundary.or(options.boundary);
+        options.elastic |= given.elastic;
         self
     }
 
     /// [`bem`](Self::bem) with these options instead of the scene's.
     pub(crate) fn pressed(&self, options: BemOptions) -> Result<Bem, SceneError> {
         let at = Box::new(Place::field("surface.file"));
-        let Some(scan) = &self.scan else {
+        let Some(scan) = self.scan() else {
             let needed = "boundary elements (bem) need the scan of one surface, file = \"scan.x3p\" in [surface] with unit and pixel_size if the file does not state them, or scans of both with aligned = true";
             return Err(SceneError::Missing { at, needed: needed.into() });
         };
@@ -76,13 +55,10 @@ impl SceneFile {
             let spectrum = Spectrum::of_waves(map.waves()).map_err(|error| error.to_string())?;
             Ok(Arc::new(spectrum))
         };
-        let scan = self.scan.as_deref()?;
-        Some(self.spectrum.get_or_init(|| of(scan)).clone())
+        let scan = self.spec.single_scan()?;
+        Some(scan.spectrum.get_or_init(|| of(&scan.topography)).clone())
     }
 }
-
-/// The spectrum of a scan, or the reason why there is none.
-pub(crate) type ScanSpectrum = Result<Arc<Spectrum>, String>;
 
 /// The continuation of a scan that is declared periodic.
 fn declared(scan: &Topography) -> Option<Continuation> {
@@ -109,6 +85,7 @@ mod tests {
     use asperity::ContactModel;
 
     use super::*;
+    use crate::height_map::open_seam;
 
     const FREE: BemOptions = BemOptions { boundary: Some(Continuation::Free), elastic: true };
 
@@ -193,8 +170,7 @@ mod tests {
         let holed = Topography::new(heights, 48, [1e-6, 2e-6]).unwrap();
         for (scan, reason) in [(profile, "rows is 1"), (holed, "fill_missing = true in [surface]")]
         {
-            let mut file = SceneFile::from(file.scene.clone());
-            file.scan = Some(Arc::new(scan));
+            let file = SceneFile::from(file.scene.clone()).pressing_scan(scan);
             let request = asperity::Request::new([asperity::Quantity::Tangent]);
             let request = request.at([asperity::At::Pressure(1e8)]);
             let answer = file.model("persson").unwrap().solve(&file.scene, &request).unwrap();

@@ -1,41 +1,21 @@
 //! Scans that are much smaller than the nominal area.
 
 use asperity::{Finding, short};
-use asperity_topography::Topography;
 
-use crate::SceneFile;
+use crate::height_map::size;
+use crate::scene_file::SceneFile;
 
-/// Points on a side of the reduced scan.
-const COARSE: usize = 128;
 /// Nominal area over scan area above which a scan may be too small.
 const LARGER: f64 = 100.0;
 /// The least number of long waves on a side of a scan whose spectrum flattens: of self-affine
 /// surfaces without a longest wave, half of Sq² lies in waves above half of the side.
 const WAVES: f64 = 3.0;
 
-/// The wavelength \[m\] above which half of Sq² of a scan lies; `None` for scans without a
-/// spectrum.
-pub(crate) fn long_wavelength(scan: &Topography) -> Option<f64> {
-    let size = size(scan);
-    // Means of blocks of points have the same long waves.
-    let (heights, columns) = scan.coarse(COARSE);
-    let rows = heights.len() / columns.max(1);
-    let pixel = [size[0] / columns as f64, size[1] / rows as f64];
-    let coarse = Topography::new(heights, columns, pixel).ok()?;
-    Some(coarse.with_periodic(scan.is_periodic()).spectra().ok()?.median_wavelength)
-}
-
-/// Width and height \[m\].
-fn size(scan: &Topography) -> [f64; 2] {
-    let [dx, dy] = scan.pixel_size();
-    [scan.columns() as f64 * dx, scan.rows() as f64 * dy]
-}
-
 impl SceneFile {
     /// A note if the scan is much smaller than the nominal area and its spectrum does not flatten
     /// towards long waves.
     pub(crate) fn small_scan(&self) -> Option<Finding> {
-        let scan = self.scan.as_deref()?;
+        let scan = self.scan()?;
         let (long, [width, height]) = (self.measured.as_ref()?.long_wavelength?, size(scan));
         let side = if scan.is_profile() { width } else { width.min(height) };
         let (few, area) = (long * WAVES > side, self.scene.nominal_area);
@@ -59,6 +39,7 @@ impl SceneFile {
 #[cfg(test)]
 mod tests {
     use asperity_bem::RandomSurface;
+    use asperity_topography::Topography;
 
     use super::*;
     use crate::{HandedFiles, parse_handed};

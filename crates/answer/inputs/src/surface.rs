@@ -1,16 +1,20 @@
 //! `[surface]`: the asperities, in exactly one way, of one rough surface or of two.
 
-use asperity::{ContactError, Finding, Interface, ProfileMoments, Scene, short};
+use std::sync::Arc;
+
+use asperity::{ContactError, Finding, ProfileMoments, Scene, short};
 
 use crate::document::Document;
-use crate::finish::{FINISH, face};
+use crate::error::SceneError;
+use crate::finish::{Drawing, FINISH};
 use crate::heights::HeightsKey;
-use crate::keys::{COUNTERFACE, KEYS, Key, Subject};
-use crate::likely::{in_other_unit, likely_angle, other_unit, too_steep};
-use crate::measured::{Asked, measured};
-use crate::numbers::{WAYS, Written};
-use crate::unknowns::{Face, middle};
-use crate::{SceneError, SceneFile, Way};
+use crate::keys::{COUNTERFACE, KEYS, Key, Subject, joined};
+use crate::measured::Scan;
+use crate::odd::{odd_roughness, steep_slope, too_steep};
+use crate::resolve::Fault;
+use crate::roughness::{Roughness, WAYS, Way};
+use crate::scans::{Asked, Scans};
+use crate::spec::{Description, SceneSpec, SurfaceSpec};
 
 /// The files of measured surfaces.
 const FILES: [&str; 2] = ["file", "files"];
@@ -76,155 +80,131 @@ fn way(
     }
 }
 
-/// A surface described by numbers.
-struct Numbers {
-    described: Described,
-    moments: ProfileMoments,
-    /// The number that explains findings about the asperities.
-    odd: Option<Finding>,
+/// The rough surfaces of a scene.
+pub(crate) struct Surfaces {
+    pub(crate) first: SurfaceSpec,
+    pub(crate) second: Option<SurfaceSpec>,
+    pub(crate) scans: Option<Scans>,
 }
 
-enum Described {
-    Known(Written),
-    Within(Box<Face>),
-}
-
-impl Numbers {
-    /// As a surface with ranges, which these numbers may have none of.
-    fn face(&self, section: &'static str) -> Face {
-        match &self.described {
-            Described::Known(_) => Face::known(section, &self.moments),
-            Described::Within(face) => (**face).clone(),
-        }
-    }
-
-    fn written(&self) -> Option<Written> {
-        match self.described {
-            Described::Known(written) => Some(written),
-            Described::Within(_) => None,
-        }
-    }
-}
-
-/// The scene with its surface and what is to be said about it. `pair` has any surface;
-/// `measured_std` is the standard deviation of a table of heights, the
-/// default of `asperity_height_std`.
-pub(crate) fn surface(
+/// What was written of the surfaces; `table_std` is the standard deviation of a table of heights,
+/// the default of `asperity_height_std`.
+pub(crate) fn surfaces(
     document: &Document<'_>,
     heights: &HeightsKey,
-    pair: Scene,
-    measured_std: Option<f64>,
+    table_std: Option<f64>,
     asked: Asked,
-) -> Result<(SceneFile, Vec<Finding>), SceneError> {
-    let mut notes = vec![];
-    let mut of = |section, std| numbers(document, section, &pair.interface, std, &mut notes);
-    let first = of("surface", measured_std)?;
+) -> Result<Surfaces, SceneError> {
+    let first = described(document, "surface", table_std)?;
     let is_pair = document.has(COUNTERFACE);
-    let second = if is_pair { of(COUNTERFACE, None)? } else { None };
+    let second = if is_pair { described(document, COUNTERFACE, None)? } else { None };
     if let (Some((_, key)), HeightsKey::Measured) = (&first, heights) {
         let needed = "a measured file, from which the heights are taken,";
         return Err(document.conflict("surface.heights", &format!("surface.{key}"), needed));
     }
-    let first_is_numbers = first.is_some();
-    let is_measured = first.is_none() || is_pair && second.is_none();
-    let of_numbers = first.into_iter().chain(second).map(|(numbers, _)| numbers);
-    let of_numbers: Vec<Numbers> = of_numbers.collect();
-    let has_ranges = of_numbers.iter().any(|numbers| numbers.written().is_none());
-    if is_measured && has_ranges {
-        let at = document.place(if first_is_numbers { "surface" } else { COUNTERFACE });
+    let has_scan = first.is_none() || is_pair && second.is_none();
+    let is_drawn = |(by, _): &&(Description, _)| matches!(by, Description::Drawing(_));
+    if has_scan && first.iter().chain(&second).any(|one| is_drawn(&one)) {
+        let at = document.place(if first.is_some() { "surface" } else { COUNTERFACE });
         let reason = "the ranges of a finish do not add to the moments of a scan: describe this surface by a scan or by m0, m2 and m4, or both by ra and finish";
         return Err(SceneError::Refused { at, reason: reason.into() });
     }
-    if is_measured {
-        let moments = of_numbers.first().map(|numbers| numbers.moments);
-        let (file, of_scan) = measured(document, heights, asked, pair, moments)?;
-        return Ok((file, [of_scan, notes].concat()));
-    }
-    let mut file = SceneFile::from(pair);
-    let refused = document.refused("surface");
-    if has_ranges {
-        let sections = ["surface", COUNTERFACE];
-        file.faces = of_numbers.iter().zip(sections).map(|(one, at)| one.face(at)).collect();
-        (file.scene.surface, file.scene.pair) = middle(&file.faces).map_err(refused)?;
-        file.follows_from = &FINISH[..1];
-    } else {
-        let written = of_numbers.iter().filter_map(Numbers::written).collect();
-        file.describe(written).map_err(refused)?;
-    }
-    file.odd_number = of_numbers.into_iter().find_map(|numbers| numbers.odd);
-    Ok((file, notes))
+    let beside_numbers = first.is_some() || second.is_some();
+    let scans = has_scan.then(|| Scans::read(document, heights, asked, beside_numbers));
+    let scans = scans.transpose()?;
+    let each: Vec<Arc<Scan>> = scans.iter().flat_map(Scans::list).cloned().collect();
+    let mut each = each.into_iter();
+    let mut of = |section: &'static str, by: Option<(Description, &str)>| {
+        let Some(by) = by.map(|(by, _)| by).or_else(|| each.next().map(Description::Scan)) else {
+            return Ok::<_, SceneError>(None);
+        };
+        Ok(Some(SurfaceSpec {
+            by,
+            mean_plane_offset: document.number(&joined(section, "mean_plane_offset"))?,
+            peklenik_number: document.number(&joined(section, "peklenik_number"))?,
+        }))
+    };
+    let first = of("surface", first)?.ok_or_else(|| document.missing("surface", one_way()))?;
+    let second = of(COUNTERFACE, second)?;
+    Ok(Surfaces { first, second, scans })
 }
 
-/// The numbers of `section`, with the key that decides how they describe the surface; `None` for a
-/// measured one.
-fn numbers(
+/// How a section describes its surface, with the key that decides it; `None` by a scan.
+fn described(
     document: &Document<'_>,
     section: &'static str,
-    interface: &Interface,
-    measured_std: Option<f64>,
-    notes: &mut Vec<Finding>,
-) -> Result<Option<(Numbers, &'static str)>, SceneError> {
+    table_std: Option<f64>,
+) -> Result<Option<(Description, &'static str)>, SceneError> {
     let at = |key: &str| format!("{section}.{key}");
-    let (way, key) = way(document, section)?;
-    if way == FINISH {
-        let (face, odd, found) = face(document, section)?;
-        notes.extend(found);
-        let (surface, _) =
-            middle(std::slice::from_ref(&face)).map_err(document.refused(section))?;
-        let moments = surface.moments();
-        return Ok(Some((
-            Numbers { described: Described::Within(Box::new(face)), moments, odd },
-            key,
-        )));
+    let (names, key) = way(document, section)?;
+    if names == FINISH {
+        let drawing = Drawing::read(document, section)?;
+        return Ok(Some((Description::Drawing(drawing.into()), key)));
     }
-    let Ok(keys) = <&[&str; 3]>::try_from(way) else { return Ok(None) };
-    let is_asperities = keys == &WAYS[0];
-    let mut values = [0.0; 3];
-    for (key, value) in keys.iter().zip(&mut values) {
-        let by_table = || measured_std.filter(|_| *key == STD);
+    let Some(way) = Way::of(names) else { return Ok(None) };
+    let mut numbers = [0.0; 3];
+    for (key, value) in names.iter().zip(&mut numbers) {
+        let by_table = || table_std.filter(|_| *key == STD);
         *value = document.number(&at(key))?.or_else(by_table).ok_or_else(|| {
-            let how = match keys {
+            let how = match names {
                 ["sq", ..] => "sq and spd go with spc or sdq".into(),
-                _ => format!("{} go together", keys.join(", ")),
+                _ => format!("{} go together", names.join(", ")),
             };
             document.missing(&at(key), how)
         })?;
     }
-    let written = Written { keys, numbers: values };
-    let roughness = written.roughness();
-    let given = keys.iter().copied().zip(values);
-    let slope = given.clone().find_map(|(key, value)| {
-        likely_angle(key, value).filter(|_| ["sdq", "mean_slope"].contains(&key))
-    });
-    // Asperities are described by their own findings.
-    let is_plain = is_asperities || slope.is_some() || values.iter().any(|value| *value <= 0.0);
-    let odd = other_unit(document, section, given.filter(|_| !is_plain));
-    let moments = written.moments(interface).map_err(|error| {
-        let is_steep = matches!(error, ContactError::OutOfRange { field: BANDWIDTH, .. });
-        let steep = roughness.as_ref().and_then(too_steep).filter(|_| is_steep);
+    Ok(Some((Description::Numbers(Roughness { way, numbers }), key)))
+}
+
+/// An error of a number at its place: of numbers that no surface has, with what is probably wrong.
+pub(crate) fn refused(
+    document: &Document<'_>,
+    spec: &SceneSpec,
+    Fault { section, source }: Fault,
+) -> SceneError {
+    let mut surfaces = spec.surfaces().filter(|(of, _)| *of == section);
+    if let Some(roughness) = surfaces.find_map(|(_, one)| one.roughness()) {
+        let is_steep = matches!(source, ContactError::OutOfRange { field: BANDWIDTH, .. });
+        let steep = too_steep(&roughness).filter(|_| is_steep);
+        let odd =
+            odd_roughness(&roughness, |key| document.origin.is_stated(&joined(&section, key)));
         let is_rough = |(_, slope, _): &(_, f64, _)| *slope > ROUGH;
-        match steep.clone().filter(is_rough).or(odd.clone()).or(steep) {
-            Some((key, value, hint)) => {
-                SceneError::Notation { at: document.place(&at(key)), found: short(value), hint }
-            }
-            None => document.refused(section)(error),
+        if let Some((key, value, hint)) = steep.clone().filter(is_rough).or(odd).or(steep) {
+            let at = document.place(&joined(&section, key));
+            return SceneError::Notation { at, found: short(value), hint };
         }
-    })?;
-    let odd = odd.map(|odd| in_other_unit(document, section, odd));
-    // Of two surfaces, each finding has its place.
-    if document.has(COUNTERFACE) {
-        let place = |path: &str| document.place(path).to_string();
+    }
+    document.refused(&section)(source)
+}
+
+/// What is to be said about the numbers of the surfaces.
+pub(crate) fn notes(document: &Document<'_>, spec: &SceneSpec, scene: &Scene) -> Vec<Finding> {
+    let mut notes = vec![];
+    let place = |path: &str| document.place(path).to_string();
+    for (section, one) in spec.surfaces() {
+        if let Some(drawing) = one.drawing() {
+            let of_drawing = drawing.warnings(|key| place(&joined(section, key)));
+            notes.extend(of_drawing.unwrap_or_default());
+        }
+        let Some(roughness) = one.roughness() else { continue };
+        let slope = steep_slope(&roughness);
+        // Of two surfaces, each finding has its place.
+        if spec.counterface.is_none() {
+            notes.extend(slope);
+            continue;
+        }
         notes.extend(slope.map(|found| {
-            let place = place(&at(&found.field));
+            let place = place(&joined(section, &found.field));
             found.within(section).from_origin(place)
         }));
-        if roughness.is_none_or(|roughness| roughness.way != Way::Moments) {
+        if roughness.way != Way::Moments
+            && let Ok(asperities) = roughness.surface(&scene.interface)
+        {
+            let moments = roughness.moments(&asperities);
             notes.push(gaussian_moments(section, &moments).from_origin(place(section)));
         }
-    } else {
-        notes.extend(slope);
     }
-    Ok(Some((Numbers { described: Described::Known(written), moments, odd }, key)))
+    notes
 }
 
 /// The note on moments that follow from other numbers.

@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use crate::{Place, SceneError};
+use crate::error::{Place, SceneError};
 
 /// The largest size of a file of text.
 const MOST_BYTES: u64 = 1 << 20;

@@ -1,113 +1,19 @@
 //! Surfaces whose numbers are known within ranges, and the scenes at the ends of these.
 
-use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
+use asperity::{At, Check, ContactError, ContactModel, Finding, ProfileMoments, Severity};
 
-use asperity::{
-    At, Check, ContactError, ContactModel, Finding, Pair, ProfileMoments, Severity, Surface,
-};
+use crate::error::{Place, SceneError};
+use crate::ranges::{Corner, Face, MIDDLE, NAMES, Unknown};
+use crate::scene_file::SceneFile;
+use crate::spec::{Description, SurfaceSpec};
 
-use crate::{Place, SceneError, SceneFile};
-
-/// The names of the unknowns of a surface.
-pub(crate) const NAMES: [&str; 3] = ["rq", "mean_slope", "bandwidth"];
-/// Those of each surface among derived numbers.
+/// The names of the unknowns of each surface among derived numbers.
 const DERIVED: [[&str; 3]; 2] = [
     ["surface_rq", "surface_mean_slope", "surface_bandwidth"],
     ["counterface_rq", "counterface_mean_slope", "counterface_bandwidth"],
 ];
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
-
-/// A number of a surface that is known within a range.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Unknown {
-    /// `rq` \[m\], `mean_slope` (of the isotropic surface with the same rms gradient) or
-    /// `bandwidth`.
-    pub name: &'static str,
-    /// Lower end, geometric mean and upper end.
-    pub range: [f64; 3],
-    /// What the range rests on: `given`, `formula`, `scan` or `assumed`.
-    pub status: &'static str,
-    /// Where the range comes from.
-    pub source: String,
-    /// What would narrow the range.
-    pub narrowed: &'static str,
-}
-
-impl Unknown {
-    pub(crate) fn new(
-        name: &'static str,
-        [lower, upper]: [f64; 2],
-        status: &'static str,
-        source: String,
-        narrowed: &'static str,
-    ) -> Self {
-        Self { name, range: [lower, (lower * upper).sqrt(), upper], status, source, narrowed }
-    }
-
-    pub(crate) fn given(name: &'static str, value: f64, source: &str) -> Self {
-        // Only the lay of a finish opens a given slope again.
-        let given = Self::new(name, [value; 2], "given", source.into(), "a scan");
-        Self { range: [value; 3], ..given }
-    }
-}
-
-/// One rough surface with its unknowns in the order of [`NAMES`].
-#[derive(Debug, Clone)]
-pub(crate) struct Face {
-    /// The section of its keys.
-    pub(crate) section: &'static str,
-    pub(crate) unknowns: [Unknown; 3],
-    /// The slope varies with this power of Rq over its middle; 0 if it does not follow from Rq.
-    pub(crate) slope_power: f64,
-}
-
-/// Where each unknown of the faces is taken: 0 at its lower end, 1 in the middle, 2 at its upper
-/// end.
-type Corner = [usize; 3];
-const MIDDLE: Corner = [1; 3];
-
-impl Face {
-    /// A surface whose moments are known.
-    pub(crate) fn known(section: &'static str, moments: &ProfileMoments) -> Self {
-        let values = [moments.m0.sqrt(), (FRAC_2_PI * moments.m2).sqrt(), moments.bandwidth()];
-        let given = |k: usize| Unknown::given(NAMES[k], values[k], "the numbers of the surface");
-        Self { section, unknowns: [0, 1, 2].map(given), slope_power: 0.0 }
-    }
-
-    fn moments(&self, at: Corner) -> ProfileMoments {
-        let [rq, slope, bandwidth] = [0, 1, 2].map(|k| self.unknowns[k].range[at[k]]);
-        let slope = slope * (rq / self.unknowns[0].range[1]).powf(self.slope_power);
-        let (m0, m2) = (rq * rq, FRAC_PI_2 * slope * slope);
-        ProfileMoments { m0, m2, m4: bandwidth * m2 * (m2 / m0) }
-    }
-}
-
-/// The moments of all faces together.
-fn moments(faces: &[Face], at: Corner) -> ProfileMoments {
-    let none = ProfileMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
-    faces.iter().fold(none, |sum, face| sum.plus(&face.moments(at)))
-}
-
-/// The surface that faces make together, and the asperities of each of two.
-fn surfaces(faces: &[Face], at: Corner) -> Result<(Surface, Option<Pair>), ContactError> {
-    let together = Surface::from_moments(&moments(faces, at))?;
-    let each = faces.iter().map(|face| Surface::from_moments(&face.moments(at)));
-    let pair = match each.collect::<Result<Vec<_>, _>>()?[..] {
-        [first, second] => Some(Pair::new(first, second)),
-        _ => None,
-    };
-    Ok((together, pair))
-}
-
-/// The surfaces of faces in the middle of their ranges.
-///
-/// # Errors
-/// Those of [`Surface::from_moments`].
-pub(crate) fn middle(faces: &[Face]) -> Result<(Surface, Option<Pair>), ContactError> {
-    surfaces(faces, MIDDLE)
-}
 
 /// Where a finding is from that the middle of the ranges does not have.
 pub const AT_AN_END: &str = "at an end of the ranges of the surface";
@@ -130,35 +36,51 @@ pub fn worst_at_ends<'f>(
     new.into_iter().map(|found| found.clone().from_origin(AT_AN_END)).collect()
 }
 
+/// The unknowns that have a range, as places in the list of names.
+fn open(faces: &[(&str, Face)]) -> Vec<usize> {
+    let is_open = |k: &usize| faces.iter().any(|(_, face)| face.unknowns[*k].is_open());
+    (0..NAMES.len()).filter(is_open).collect()
+}
+
 impl SceneFile {
     /// The numbers of the surfaces that are known within ranges or given beside such, each with the
     /// section of its surface; none where the surface is described otherwise.
-    pub fn unknowns(&self) -> impl Iterator<Item = (&'static str, &Unknown)> {
-        self.faces.iter().flat_map(|face| face.unknowns.iter().map(|one| (face.section, one)))
+    #[must_use]
+    pub fn unknowns(&self) -> Vec<(&'static str, Unknown)> {
+        let of = |(section, face): (_, Face)| face.unknowns.map(|one| (section, one));
+        self.faces().into_iter().flat_map(of).collect()
     }
 
-    /// The unknowns that have a range, as places in the list of names.
-    fn open(&self) -> Vec<usize> {
-        let is_open = |k: &usize| {
-            self.faces.iter().any(|face| face.unknowns[*k].range[0] < face.unknowns[*k].range[2])
+    /// Each surface with its unknowns, one by numbers without ranges; none where no surface is
+    /// known by its finish.
+    fn faces(&self) -> Vec<(&'static str, Face)> {
+        let interface = &self.scene.interface;
+        let of = |(section, one): (_, &SurfaceSpec)| {
+            let known = || Some(Face::known(&one.moments(interface)?));
+            Some((section, one.face().or_else(known)?))
         };
-        (0..NAMES.len()).filter(is_open).collect()
+        match self.spec.surfaces().any(|(_, one)| one.face().is_some()) {
+            true => self.spec.surfaces().filter_map(of).collect(),
+            false => vec![],
+        }
     }
 
     /// The names of the unknowns that have a range, each with the ratio of its ends on both
     /// surfaces together; none where the surface is known.
     #[must_use]
     pub fn spreads(&self) -> Vec<(&'static str, f64)> {
+        let faces = self.faces();
         let spread = |k: usize| {
             let [lower, upper] = [0, 2].map(|end| {
                 let mut at = MIDDLE;
                 at[k] = end;
-                let found = moments(&self.faces, at);
+                let none = ProfileMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
+                let found = faces.iter().fold(none, |sum, (_, face)| sum.plus(&face.moments(at)));
                 [found.m0.sqrt(), found.m2.sqrt(), found.bandwidth()][k]
             });
             (NAMES[k], upper / lower)
         };
-        self.open().into_iter().map(spread).collect()
+        open(&faces).into_iter().map(spread).collect()
     }
 
     /// The scene in the middle of the ranges, and then at each combination of their ends: of `k`
@@ -168,25 +90,30 @@ impl SceneFile {
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.
     pub fn corners(&self) -> Result<(Self, Vec<Self>), ContactError> {
-        let open = self.open();
-        let at = |place: Corner| {
-            let (surface, pair) = surfaces(&self.faces, place)?;
-            let mut file = Self { faces: vec![], ..self.clone() };
-            (file.scene.surface, file.scene.pair) = (surface, pair);
-            let offsets = self.mean_plane_offsets();
-            if offsets.iter().any(Option::is_some) {
-                file.set_mean_plane_offsets(offsets);
-            }
-            Ok(file)
-        };
+        let open = open(&self.faces());
         let corner = |corner: usize| {
             let mut place = MIDDLE;
             for (bit, k) in open.iter().enumerate() {
                 place[*k] = 2 * ((corner >> bit) & 1);
             }
-            at(place)
+            self.taken_at(place)
         };
-        Ok((at(MIDDLE)?, (0..1 << open.len()).map(corner).collect::<Result<_, _>>()?))
+        let corners = (0..1 << open.len()).map(corner).collect::<Result<_, _>>()?;
+        Ok((self.taken_at(MIDDLE)?, corners))
+    }
+
+    /// The scene with its unknowns taken at one place.
+    fn taken_at(&self, place: Corner) -> Result<Self, ContactError> {
+        let mut spec = self.spec.clone();
+        for second in [false, true] {
+            if let Some(SurfaceSpec { by: Description::Drawing(drawing), .. }) =
+                spec.surface_mut(second)
+            {
+                drawing.at = Some(place);
+            }
+        }
+        let made = Self::of_spec(spec)?;
+        Ok(Self { warnings: self.warnings.clone(), origin: self.origin.clone(), ..made })
     }
 
     /// The scene in the middle of the ranges, and this scene without any.
@@ -194,7 +121,7 @@ impl SceneFile {
     /// # Errors
     /// Those of [`corners`](Self::corners).
     pub fn middle(&self) -> Result<Self, ContactError> {
-        Ok(if self.faces.is_empty() { self.clone() } else { self.corners()?.0 })
+        if self.faces().is_empty() { Ok(self.clone()) } else { self.taken_at(MIDDLE) }
     }
 
     /// The check of the scene in the middle of the ranges, with those of all numbers.
@@ -221,7 +148,7 @@ impl SceneFile {
             number.ends = differs.then_some([lower, upper]);
         }
         let mut given = Check::default();
-        for (face, names) in self.faces.iter().zip(DERIVED) {
+        for ((_, face), names) in self.faces().iter().zip(DERIVED) {
             for (unknown, name) in face.unknowns.iter().zip(names) {
                 let Unknown { range: [lower, middle, upper], status, source, .. } = unknown;
                 let unit = if unknown.name == NAMES[0] { "m" } else { "" };
@@ -244,7 +171,7 @@ impl SceneFile {
     /// A note that the other surface is taken as smooth, of a single surface with ranges.
     #[must_use]
     pub fn smooth_counterface(&self) -> Option<Finding> {
-        let is_alone = self.faces.len() == 1 && !self.spreads().is_empty();
+        let is_alone = self.spec.counterface.is_none() && !self.spreads().is_empty();
         let found = Finding::note("smooth-counterface", "counterface", f64::NAN)
             .fact("the other surface is taken as smooth (by models of pairs as rough as this one)")
             .advice("describe it as counterface if it is rough, too");

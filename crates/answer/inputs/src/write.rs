@@ -1,59 +1,47 @@
 //! Writer of scenes as text that reads back bit for bit.
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::Path;
 
-use asperity::{Datum, HeightDistribution, TabulatedHeights};
+use asperity::{Body, Datum, HeightDistribution};
 use toml::{Table, Value};
 
 use crate::document::{Document, Files};
-use crate::kept::Read;
-use crate::keys::{Key, Subject, joined, keys_of};
-use crate::measured::Asked;
-use crate::numbers::Written;
-use crate::scene_file::scene_file;
-use crate::{Place, SceneError, SceneFile, interface_of, parse, template, write_heights};
+use crate::error::{Place, SceneError};
+use crate::heights::write_heights;
+use crate::keys::{BODY, Key, joined, keys_of};
+use crate::materials::Material;
+use crate::measured::Scan;
+use crate::read::scene_file;
+use crate::roughness::{Roughness, Way};
+use crate::scans::Asked;
+use crate::scene_file::SceneFile;
+use crate::spec::{Bodies, Description, SurfaceSpec};
+use crate::template::template;
 
 impl SceneFile {
-    /// The files that the scene names: scans and a table of heights.
-    #[must_use]
-    pub fn files(&self) -> &[PathBuf] {
-        self.read.as_ref().map_or(&[], |read| &read.files)
-    }
-
-    /// The text of a scene file that [`parse`] reads back bit for bit; `comments` are written at
-    /// its head, one per line. A table of heights is part of the text, and paths of scans are
-    /// absolute. For numbers changed since reading, the interface replaces the bodies, unless it
-    /// still follows from them; the surface keeps the kind of its keys if these were
-    /// changed, and else has its asperities.
+    /// The text of a scene file that [`parse`](crate::parse) reads back bit for bit, with what was
+    /// written of the scene or changed since; `comments` are written at its head, one per line.
+    /// Numbers are in SI units, a table of heights is part of the text, and paths of scans are
+    /// absolute.
     ///
     /// ```
     /// use asperity_inputs::{parse, template};
     /// use std::path::Path;
     ///
-    /// let mut file = parse(template(), Path::new("."))?;
-    /// file.scene.nominal_area = 2e-4;
-    /// let again = parse(&file.to_toml(&["twice the area"])?, Path::new("."))?;
+    /// let file = parse(template(), Path::new("."))?;
+    /// let area = file.inputs(["nominal_area"])?[0];
+    /// let twice = file.with_inputs([(area, 2e-4)]).unwrap();
+    /// let again = parse(&twice.to_toml(&["twice the area"])?, Path::new("."))?;
     /// assert_eq!(again.scene.nominal_area.to_bits(), 2e-4f64.to_bits());
     /// assert_eq!(again.scene.interface, file.scene.interface);
     /// # Ok::<(), asperity_inputs::SceneError>(())
     /// ```
     ///
     /// # Errors
-    /// Those of [`parse`] if a number of the scene is out of its range, and
     /// [`SceneError::Unwritable`] for heights that a file cannot represent.
     pub fn to_toml(&self, comments: &[&str]) -> Result<String, SceneError> {
-        let text = self.text(None, comments)?;
-        // Scans are not read again.
-        if self.names_no_scan() {
-            let again = parse(&text, Path::new(""))?;
-            if let Some(field) = self.differs_in(&again) {
-                let reason = "a scene file cannot combine this value with the others";
-                return Err(unwritable(Place::field(field), reason));
-            }
-        }
-        Ok(text)
+        self.text(None, comments)
     }
 
     /// Writes [`to_toml`](Self::to_toml) to a file and returns the text. A table of heights is
@@ -63,33 +51,34 @@ impl SceneFile {
     /// Those of [`to_toml`](Self::to_toml), and [`SceneError::Unwritable`] with the system's
     /// reason.
     pub fn save(&self, path: &Path, comments: &[&str]) -> Result<String, SceneError> {
-        let mut text = self.to_toml(comments)?;
+        let at = || Place { file: Some(path.into()), ..Place::field("the scene file") };
         let written = |path: &Path, text: &str| {
-            let at = || Place { file: Some(path.into()), ..Place::field("the scene file") };
-            fs::write(path, text).map_err(|error| unwritable(at(), &error.to_string()))
+            let at = Place { file: Some(path.into()), ..at() };
+            fs::write(path, text).map_err(|error| unwritable(at, &error.to_string()))
         };
-        if let Some(table) = self.table.as_ref().filter(|_| !self.has_heights_of_scan()) {
-            let beside = path.with_extension("csv");
-            let name = beside.file_name().and_then(|name| name.to_str()).filter(|_| beside != path);
-            let name = name.ok_or_else(|| {
-                let at = Place { file: Some(path.into()), ..Place::field("the scene file") };
-                unwritable(at, "its name must be valid UTF-8 and must not end in .csv")
-            })?;
-            text = self.text(Some(name), comments)?;
-            written(&beside, &write_heights(table.points()))?;
-        }
+        let table = self.table().filter(|_| !self.spec.heights.is_measured);
+        let Some(table) = table else {
+            let text = self.to_toml(comments)?;
+            written(path, &text)?;
+            return Ok(text);
+        };
+        let beside = path.with_extension("csv");
+        let name = beside.file_name().and_then(|name| name.to_str()).filter(|_| beside != path);
+        let needed = "its name must be valid UTF-8 and must not end in .csv";
+        let text = self.text(Some(name.ok_or_else(|| unwritable(at(), needed))?), comments)?;
+        written(&beside, &write_heights(table.points()))?;
         written(path, &text)?;
         Ok(text)
     }
 
-    /// Bodies and area of this scene with the other sections that these keys describe: `surface`,
-    /// `options`, `accept`.
+    /// The scene of these bodies and this area with the other sections that these keys describe:
+    /// `surface`, `options`, `accept`.
     ///
     /// # Errors
-    /// Those of [`parse`], without lines.
-    pub fn with_keys(&self, keys: Table) -> Result<Self, SceneError> {
-        let mut top = self.interface_keys();
-        top.insert("nominal_area".into(), self.scene.nominal_area.into());
+    /// Those of [`parse`](crate::parse), without lines.
+    pub fn with_keys(bodies: &Bodies, nominal_area: f64, keys: Table) -> Result<Self, SceneError> {
+        let mut top = bodies.keys();
+        top.insert("nominal_area".into(), nominal_area.into());
         top.extend(keys);
         let text = top.to_string();
         scene_file(&Document::new(None, Files::Nowhere, &text)?, Asked::Asperities)
@@ -99,27 +88,37 @@ impl SceneFile {
     /// within ranges, beside a counterface, or given with a plasticity index.
     #[must_use]
     pub fn keys_beyond_numbers(&self) -> Option<Table> {
-        let is_written = !self.faces.is_empty()
-            || self.written.len() > 1
-            || self.written.first().is_some_and(Written::needs_interface);
-        let keys = || self.kept_surface().cloned().unwrap_or_else(|| self.changed_keys());
-        is_written.then(keys)
+        let has_scan = self.spec.surfaces().any(|(_, one)| one.scan().is_some());
+        let by_index = |one: Roughness| one.way == Way::PlasticityIndex;
+        let is_drawn = self.spec.surface.drawing().is_some();
+        let is_beyond = is_drawn
+            || self.spec.counterface.is_some()
+            || self.spec.surface.roughness().is_some_and(by_index);
+        (is_beyond && !has_scan).then(|| self.surface_keys())
     }
 
     /// The text; a table of heights is in this file, or in the text.
     fn text(&self, heights: Option<&str>, comments: &[&str]) -> Result<String, SceneError> {
         let note = |line: &str| format!("# {}\n", line.replace(|c: char| c.is_control(), " "));
         let text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
-        let mut top = self.interface_keys();
-        top.insert("nominal_area".into(), self.scene.nominal_area.into());
-        top.insert("surface".into(), self.surface_keys(heights)?.into());
-        if !self.accept.is_empty() {
-            top.insert("accept".into(), self.accept.clone().into());
+        let spec = &self.spec;
+        let mut top = spec.bodies.keys();
+        top.insert("nominal_area".into(), spec.nominal_area.into());
+        let mut surface = self.surface_keys();
+        surface.extend(self.heights_key(heights)?.map(|key| ("heights".into(), key)));
+        if spec.separation_from == Datum::SurfaceMean {
+            surface.insert("separation_from".into(), "surface-mean".into());
         }
-        if let Some(gas) = self.gas {
+        let offset = spec.surface.mean_plane_offset;
+        surface.extend(offset.map(|offset| ("mean_plane_offset".into(), offset.into())));
+        top.insert("surface".into(), surface.into());
+        if !spec.accept.is_empty() {
+            top.insert("accept".into(), spec.accept.clone().into());
+        }
+        if let Some(gas) = spec.gas {
             top.insert("gap".into(), Table::try_from(gas).unwrap_or_default().into());
         }
-        top.insert("options".into(), self.options.changed().into());
+        top.insert("options".into(), spec.options.changed().into());
         let mut sections = String::new();
         for name in ["body", "interface", "surface", "gap", "options"] {
             let header = if name == "body" { "[[body]]" } else { &format!("[{name}]") };
@@ -135,96 +134,38 @@ impl SceneFile {
         Ok(text + &lines("", &top) + &sections)
     }
 
-    /// The bodies as read if unchanged, the bodies from which the interface still follows, or else
-    /// the interface.
-    fn interface_keys(&self) -> Table {
-        let interface = self.scene.interface;
-        // The harder of two bodies may change beside the same interface.
-        let is_same = |read: &&Arc<Read>| {
-            read.interface == interface && (read.bodies == self.bodies || self.bodies.is_empty())
-        };
-        if let Some(read) = self.read.as_ref().filter(is_same) {
-            let names = ["rigid_counterface", "work_of_adhesion", "interface", "body"];
-            let kept = read.table.iter().filter(|(name, _)| names.contains(&name.as_str()));
-            return kept.map(|(name, value)| (name.clone(), value.clone())).collect();
-        }
-        // No body has a pressure factor.
-        let follows = interface_of(&self.bodies).is_ok_and(|made| {
-            self.with_pair(made) == interface && interface.pressure_factor == made.pressure_factor
-        });
-        if follows {
-            let bodies = self.bodies.iter().filter_map(|body| Table::try_from(body).ok());
-            let mut keys = Table::from_iter([("body".into(), bodies.collect::<Vec<_>>().into())]);
-            if self.bodies.len() == 1 {
-                keys.insert("rigid_counterface".into(), true.into());
+    /// The keys that describe both surfaces, but for the heights and the plane of separations.
+    fn surface_keys(&self) -> Table {
+        let (first, second) = (&self.spec.surface, self.spec.counterface.as_ref());
+        let mut keys = first.keys();
+        let Some(second) = second else { return keys };
+        let sources = [first, second].map(|one| one.scan().and_then(|scan| scan.source.as_ref()));
+        match sources {
+            [Some((one, own)), Some((two, other))] if own == other && !second.has_own() => {
+                keys.remove("file");
+                let files = [one, two].map(|path| Value::from(&*path.to_string_lossy()));
+                keys.insert("files".into(), files.to_vec().into());
             }
-            let work = interface.work_of_adhesion;
-            keys.extend(work.map(|work| ("work_of_adhesion".into(), work.into())));
-            return keys;
+            _ => {
+                let mut others = second.keys();
+                let offset = second.mean_plane_offset;
+                others.extend(offset.map(|offset| ("mean_plane_offset".into(), offset.into())));
+                keys.insert("counterface".into(), others.into());
+            }
         }
-        let interface = Table::try_from(interface).unwrap_or_default();
-        Table::from_iter([("interface".into(), interface.into())])
-    }
-
-    /// The keys of `[surface]` as read, if they still describe this surface.
-    fn kept_surface(&self) -> Option<&Table> {
-        let read = self.read.as_ref().filter(|read| read.surface == self.scene.surface)?;
-        let keys = read.table.get("surface")?.as_table()?;
-        // The plasticity index depends on the interface, too, and other numbers may take its place.
-        let is_written = self.written.first().is_some_and(|one| keys.contains_key(one.keys[0]));
-        let is_same = read.interface == self.scene.interface && is_written;
-        (is_same || !keys.contains_key("plasticity_index")).then_some(keys)
-    }
-
-    fn names_no_scan(&self) -> bool {
-        let surface = self.kept_surface();
-        let counterface = surface.and_then(|keys| keys.get("counterface")?.as_table());
-        let names = |keys: &Table| keys.contains_key("file") || keys.contains_key("files");
-        !surface.into_iter().chain(counterface).any(names)
-    }
-
-    /// Whether the heights are those of the summits of the scan that is named.
-    fn has_heights_of_scan(&self) -> bool {
-        let summits = self.read.as_ref().and_then(|read| read.summits.as_ref());
-        let points = |table: &'_ TabulatedHeights| table.points().to_vec();
-        summits.is_some()
-            && self.kept_surface().is_some()
-            && summits.map(points) == self.table.as_ref().map(points)
-    }
-
-    /// The keys that describe a surface whose numbers have changed since reading.
-    fn changed_keys(&self) -> Table {
-        let mut again = Self::from(self.scene.clone());
-        let is_written = again.describe(self.written.clone()).is_ok()
-            && again.scene.surface == self.scene.surface;
-        let Some(first) = self.written.first().filter(|_| is_written) else {
-            return Table::try_from(self.scene.surface).unwrap_or_default();
-        };
-        let read = self.read.as_ref().and_then(|read| read.table.get("surface")?.as_table());
-        let mut keys = read.cloned().unwrap_or_default();
-        keys.retain(|key, _| {
-            let subject = Key::find("surface", key).map(|key| key.subject);
-            !matches!(subject, Some(Subject::Roughness | Subject::Scan))
-        });
-        let numbers = first.keys.iter().zip(first.numbers);
-        keys.extend(numbers.map(|(key, number)| ((*key).into(), number.into())));
         keys
     }
 
-    fn surface_keys(&self, heights_in: Option<&str>) -> Result<Table, SceneError> {
-        let scene = &self.scene;
-        let mut keys = match self.kept_surface() {
-            Some(keys) => keys.clone(),
-            None => self.changed_keys(),
-        };
+    /// `heights`; none of Gaussian ones.
+    fn heights_key(&self, file: Option<&str>) -> Result<Option<Value>, SceneError> {
         let named = |name: &str, value: Value| Table::from_iter([(name.into(), value)]).into();
-        let heights: Option<Value> = match (&scene.heights, &self.table, heights_in) {
+        Ok(match (&self.spec.heights.distribution, self.table(), file) {
             (HeightDistribution::Gaussian, ..) => None,
             (HeightDistribution::Exponential, ..) => Some("exponential".into()),
             (HeightDistribution::Weibull(heights), ..) => {
                 Some(named("skewness", heights.skewness().into()))
             }
-            (_, Some(_), _) if self.has_heights_of_scan() => Some("measured".into()),
+            (_, Some(_), _) if self.spec.heights.is_measured => Some("measured".into()),
             (_, Some(_), Some(file)) => Some(named("file", file.into())),
             (_, Some(table), None) => {
                 let (heights, densities): (Vec<f64>, Vec<f64>) =
@@ -233,50 +174,80 @@ impl SceneFile {
                 let column = |(name, column): (&str, Vec<f64>)| (name.into(), Value::from(column));
                 Some(Table::from_iter(columns.map(column)).into())
             }
-            _ => {
-                let reason = format!("{}: a density that is not a table", scene.heights.name());
+            (heights, ..) => {
+                let reason = format!("{}: a density that is not a table", heights.name());
                 return Err(unwritable(Place::field("surface.heights"), &reason));
             }
+        })
+    }
+}
+
+impl Bodies {
+    /// The keys of the bodies or of their interface.
+    fn keys(&self) -> Table {
+        let Self::Each { bodies, materials, work_of_adhesion } = self else {
+            let Self::Interface(interface) = self else { return Table::new() };
+            let interface = Table::try_from(interface).unwrap_or_default();
+            return Table::from_iter([("interface".into(), interface.into())]);
         };
-        keys.extend(heights.map(|heights| ("heights".into(), heights)));
-        if self.separation_from == Datum::SurfaceMean {
-            keys.insert("separation_from".into(), "surface-mean".into());
+        let each = bodies.iter().zip(materials);
+        let each: Vec<Table> = each.map(|(body, material)| keys_of_body(body, *material)).collect();
+        let mut keys = Table::from_iter([("body".into(), each.into())]);
+        if bodies.len() == 1 {
+            keys.insert("rigid_counterface".into(), true.into());
         }
-        let lay = self.peklenik_numbers[0];
-        keys.extend(lay.map(|number| ("peklenik_number".into(), number.into())));
-        let measured = self.measured.as_ref().filter(|_| !self.names_no_scan());
-        let measured = measured.and_then(|measured| measured.statistics.mean_plane_offset);
-        let known = self.table.as_ref().map(TabulatedHeights::mean).or(measured);
-        let offset = scene.mean_plane_offset;
-        if known.is_none() {
-            let own = self.mean_plane_offsets()[0];
-            keys.extend(own.map(|offset| ("mean_plane_offset".into(), offset.into())));
-        } else if known.map(f64::to_bits) != offset.map(f64::to_bits) {
-            let reason = "it differs from the offset of the measured heights";
-            return Err(unwritable(Place::field("surface.mean_plane_offset"), reason));
-        }
-        Ok(keys)
+        keys.extend(work_of_adhesion.map(|work| ("work_of_adhesion".into(), work.into())));
+        keys
+    }
+}
+
+/// The keys of a body: its material and what differs from it.
+fn keys_of_body(body: &Body, material: Option<&Material>) -> Table {
+    let id = material.map(|material| ("material".into(), Value::from(&*material.id)));
+    let differs = |value: &f64, get: fn(&Body) -> Option<f64>| {
+        let listed = material.and_then(|material| get(&material.body));
+        listed.is_none_or(|listed| listed.to_bits() != value.to_bits())
+    };
+    let own = BODY.iter().filter_map(|field| {
+        let value = (field.get)(body).filter(|value| differs(value, field.get))?;
+        Some((field.name.into(), value.into()))
+    });
+    id.into_iter().chain(own).collect()
+}
+
+impl SurfaceSpec {
+    /// Whether the surface has numbers beside its description.
+    fn has_own(&self) -> bool {
+        self.mean_plane_offset.or(self.peklenik_number).is_some()
     }
 
-    /// The first part that differs, written with the digits that give the same bits back.
-    fn differs_in(&self, other: &Self) -> Option<&'static str> {
-        let written = |Self { scene, table, options, separation_from, accept, .. }: &Self| {
-            let heights = match (table, &scene.heights) {
-                (Some(table), _) => format!("{:?}", table.points()),
-                // What is kept of skewed heights depends on what was asked of them.
-                (_, HeightDistribution::Weibull(heights)) => format!("{:?}", heights.skewness()),
-                (_, heights) => heights.name().into(),
-            };
-            let numbers = (scene.nominal_area, scene.interface, scene.surface);
-            [
-                ("the scene", format!("{numbers:?} {:?}", scene.mean_plane_offset)),
-                ("surface.heights", heights),
-                ("options", format!("{options:?} {separation_from:?} {accept:?}")),
-            ]
+    /// The keys that describe the surface.
+    fn keys(&self) -> Table {
+        let number = |(key, value): (&str, f64)| (key.to_string(), Value::from(value));
+        let mut keys: Table = match &self.by {
+            Description::Numbers(roughness) => roughness.by_key().map(number).collect(),
+            Description::Drawing(drawing) => match (drawing.at, drawing.moments()) {
+                (Some(_), Ok(moments)) => {
+                    Roughness::of_moments(moments).by_key().map(number).collect()
+                }
+                _ => {
+                    let finish = drawing.finish().map(|word| ("finish".into(), word.into()));
+                    drawing.by_key().map(number).chain(finish).collect()
+                }
+            },
+            Description::Scan(scan) => keys_of_scan(scan),
         };
-        let mut parts = written(self).into_iter().zip(written(other));
-        parts.find(|(one, other)| one != other).map(|((part, _), _)| part)
+        keys.extend(self.peklenik_number.map(|lay| ("peklenik_number".into(), lay.into())));
+        keys
     }
+}
+
+/// The path of a scan, and the keys by which it was read.
+fn keys_of_scan(scan: &Scan) -> Table {
+    let Some((path, keys)) = &scan.source else { return Table::new() };
+    let mut keys = keys.clone();
+    keys.insert("file".into(), (&*path.to_string_lossy()).into());
+    keys
 }
 
 fn unwritable(at: Place, reason: &str) -> SceneError {

@@ -112,7 +112,7 @@ impl LoadedScene {
     ) -> Result<(Sheet, T)> {
         let mut sheet = Sheet::default();
         let filled = fill(&mut sheet);
-        sheet.findings.retain(|one| !one.is_accepted(&self.file.accept));
+        sheet.findings.retain(|one| !one.is_accepted(&self.file.spec.accept));
         show(&sheet.findings);
         print_results(&sheet.results);
         match filled.map_err(|error| error.into().downcast::<AnswerError>()) {

@@ -50,7 +50,7 @@ pub(crate) fn fit<'py>(
             }
             Err(error @ SceneError::Fit(FitError::NoStart { .. })) if !alone => {
                 let found = Finding::warning("left-out", "model", f64::NAN);
-                warn_unless(py, &file.accept, &found.fact(format!("left out: {error}")), 1)?;
+                warn_unless(py, &file.spec.accept, &found.fact(format!("left out: {error}")), 1)?;
             }
             Err(error) => return Err(value_error(error)),
         }

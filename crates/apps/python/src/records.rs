@@ -125,7 +125,7 @@ pub(crate) fn surface<'py>(
 
 /// The numbers of a roughness by their keys.
 fn by_key(py: Python<'_>, roughness: Roughness) -> PyResult<Bound<'_, PyDict>> {
-    roughness.way.keys().iter().zip(roughness.numbers).into_py_dict(py)
+    roughness.by_key().into_py_dict(py)
 }
 
 /// An argument as the struct of the class; a `TypeError` for another type.
@@ -154,36 +154,25 @@ pub(crate) fn surface_keys(surface: &Object<'_>) -> PyResult<BTreeMap<String, f6
     origin.map_or_else(|| numbers(surface.py(), &own)?.extract(), Ok)
 }
 
-/// The numbers from which a surface follows.
-fn roughness(surface: &Object<'_>) -> PyResult<Option<Roughness>> {
-    let origin: Option<Bound<'_, PyDict>> = surface.getattr("_origin")?.extract()?;
-    origin.map_or(Ok(None), |origin| roughness_of(&origin))
-}
-
-/// The numbers of a surface that follows from its interface.
-const INDEX: [&str; 3] = ["plasticity_index", "roughness_parameter", "asperity_height_std"];
-/// The descriptions of a surface by three numbers of its own.
-const WAYS: [Way; 5] =
-    [Way::SurfaceStd, Way::MeanSlope, Way::Moments, Way::Iso25178, Way::Gradient];
-
-/// The named numbers of a surface as a roughness, if they are one.
-fn roughness_of(given: &Bound<'_, PyDict>) -> PyResult<Option<Roughness>> {
-    let is_of = |way: &Way| given.len() == 3 && way.keys().iter().all(|k| has(given, k));
-    let Some(way) = WAYS.into_iter().find(is_of) else { return Ok(None) };
-    Ok(Some(Roughness { way, numbers: named(given, way.keys())? }))
-}
-
-fn has(given: &Bound<'_, PyDict>, name: &str) -> bool {
-    given.contains(name).unwrap_or(false)
-}
-
-/// The numbers of these names.
-fn named(given: &Bound<'_, PyDict>, names: &[&str; 3]) -> PyResult<[f64; 3]> {
+/// Three named numbers of a surface, in any order.
+fn roughness(given: &Bound<'_, PyDict>) -> PyResult<Roughness> {
+    let names: Vec<String> = given.keys().extract()?;
+    let is_of = |way: &Way| {
+        names.len() == 3 && way.keys().iter().all(|key| names.iter().any(|name| name == key))
+    };
+    let described = Way::ALL.into_iter().filter(|way| *way != Way::Asperities);
+    let Some(way) = described.clone().find(is_of) else {
+        let ways: Vec<String> = described.map(|way| way.keys().join(", ")).collect();
+        let (names, ways) = (given.keys(), ways.join("; "));
+        return Err(PyTypeError::new_err(format!(
+            "Surface.of: {names} describe no surface: the numbers of one of these were required: {ways}"
+        )));
+    };
     let mut numbers = [f64::NAN; 3];
-    for (found, name) in numbers.iter_mut().zip(names) {
+    for (found, name) in numbers.iter_mut().zip(way.keys()) {
         *found = number("Surface", name, &given.as_any().get_item(name)?)?;
     }
-    Ok(numbers)
+    Ok(Roughness { way, numbers })
 }
 
 /// The name of an object's type.
@@ -254,23 +243,12 @@ pub(crate) fn surface_of<'py>(
     given: &Bound<'py, PyDict>,
     interface: Option<&Object<'py>>,
 ) -> PyResult<(Bound<'py, PyDict>, Option<Bound<'py, PyDict>>)> {
-    let py = given.py();
-    if let Some(roughness) = roughness_of(given)? {
-        let found = roughness.surface().map_err(refused)?;
-        return Ok((numbers(py, &found)?, Some(by_key(py, roughness)?)));
-    }
-    if given.len() != 3 || !INDEX.iter().all(|name| has(given, name)) {
-        let ways = WAYS.iter().map(|way| way.keys()).chain([&INDEX]).map(|keys| keys.join(", "));
-        let (names, ways) = (given.keys(), ways.collect::<Vec<_>>().join("; "));
-        return Err(PyTypeError::new_err(format!(
-            "Surface.of: {names} describe no surface: the numbers of one of these were required: {ways}"
-        )));
-    }
+    let (py, roughness) = (given.py(), roughness(given)?);
     let interface = interface.map(|interface| instance("interface", interface)).transpose()?;
-    let interface = interface.unwrap_or_else(Interface::BLANK);
-    let [index, parameter, std] = named(given, &INDEX)?;
-    let found = Surface::from_plasticity_index(index, parameter, std, &interface);
-    Ok((numbers(py, &found.map_err(refused)?)?, None))
+    let found = roughness.surface(&interface.unwrap_or_else(Interface::BLANK)).map_err(refused)?;
+    let is_of_surface = roughness.way.is_of_surface();
+    let origin = is_of_surface.then(|| by_key(py, roughness)).transpose()?;
+    Ok((numbers(py, &found)?, origin))
 }
 
 /// The sums of the spectral moments of two surfaces.
@@ -279,15 +257,14 @@ pub(crate) fn moments_of_both<'py>(
     one: &Object<'py>,
     other: &Object<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let moments = |given| -> PyResult<ProfileMoments> {
-        match roughness(given)? {
-            Some(roughness) => roughness.moments().map_err(refused),
-            None => Ok(instance::<Surface>("surface", given)?.moments()),
-        }
+    let moments = |given: &Object<'py>| -> PyResult<ProfileMoments> {
+        let own = instance::<Surface>("surface", given)?;
+        let origin: Option<Bound<'_, PyDict>> = given.getattr("_origin")?.extract()?;
+        let roughness = origin.map(|origin| roughness(&origin)).transpose()?;
+        Ok(roughness.map_or_else(|| own.moments(), |roughness| roughness.moments(&own)))
     };
     let other = instance::<Surface>("other", other).and_then(|_| moments(other))?;
-    let sum = moments(one)?.plus(&other);
-    by_key(one.py(), Roughness { way: Way::Moments, numbers: [sum.m0, sum.m2, sum.m4] })
+    by_key(one.py(), Roughness::of_moments(moments(one)?.plus(&other)))
 }
 
 /// A number that follows from a surface or an asperity.

@@ -43,7 +43,7 @@ pub(crate) fn table<'py>(py: Python<'py>, sheet: &Sheet) -> PyResult<Table<'py>>
 /// Emits the warnings of a sheet that the scene does not accept.
 pub(crate) fn warn_of(py: Python<'_>, file: &scene::SceneFile, sheet: &Sheet) -> PyResult<()> {
     let mut warnings = sheet.findings.iter().filter(|found| found.severity < Severity::Note);
-    warnings.try_for_each(|found| warn_unless(py, &file.accept, found, 1))
+    warnings.try_for_each(|found| warn_unless(py, &file.spec.accept, found, 1))
 }
 
 /// A table between two places, with nodes at equal distances or, if an error is given, as many as
@@ -73,7 +73,7 @@ pub(crate) fn contact_table<'py>(
     };
     let export = Export {
         subject: Subject { file, name: "", id: "", model: &model, tolerance },
-        ends: [first, last].map(|end| axis.at(end, file.separation_from)),
+        ends: [first, last].map(|end| axis.at(end, file.spec.separation_from)),
         nodes,
         log: false,
         max_error,

@@ -100,7 +100,8 @@ impl Best {
             Known::new(value, Some([lower, upper]), Source::Evidence)
         };
         let metres = |s: Separation| {
-            let found = s.measured_in(SeparationUnit::Metres, file.separation_from, &file.scene);
+            let found =
+                s.measured_in(SeparationUnit::Metres, file.spec.separation_from, &file.scene);
             found.ok().map(|found| found.value)
         };
         let gap = row

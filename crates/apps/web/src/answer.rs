@@ -3,7 +3,7 @@
 use asperity::recommended::JKR;
 use asperity::{At, Described, Finding, Findings, Quantity, Request, Severity, shortest_digits};
 use asperity_answer::{ADHESIVE, Asked, ENDS, Line, NO_RANGE, OPENING, column_of_end};
-use asperity_inputs::SceneFile;
+use asperity_inputs::{Field, INTERFACE, SceneFile};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -24,10 +24,13 @@ const USUAL: [Quantity; 6] = [
 
 /// The quantities of a scene: conductances where the bodies have the property.
 pub(crate) fn quantities(file: &SceneFile) -> Vec<Quantity> {
-    let interface = &file.scene.interface;
-    let thermal = interface.thermal_conductivity.map(|_| Quantity::ThermalConductance);
-    let electrical = interface.electrical_resistivity.map(|_| Quantity::ElectricalConductance);
-    USUAL.into_iter().chain(thermal).chain(electrical).collect()
+    let has = |quantity: &Quantity| {
+        let of_property = |field: &&Field<_>| Some(field.name) == quantity.property();
+        let property = INTERFACE.iter().find(of_property);
+        property.is_some_and(|field| (field.get)(&file.scene.interface).is_some())
+    };
+    let conductances = [Quantity::ThermalConductance, Quantity::ElectricalConductance];
+    USUAL.into_iter().chain(conductances.into_iter().filter(has)).collect()
 }
 
 /// A column of values, which can be drawn.

@@ -72,7 +72,7 @@ impl Desk {
     /// The heights \[m\] of the scan of the scene, for the report of another desk.
     #[must_use]
     pub fn heights(&self) -> &[f64] {
-        let scan = self.file.as_ref().and_then(|file| file.scan.as_deref());
+        let scan = self.file.as_ref().and_then(SceneFile::scan);
         scan.map_or(&[], Topography::heights)
     }
 
@@ -235,7 +235,7 @@ impl Desk {
             "load": load,
             "rows": rows.iter().map(shown).collect::<Value>(),
             "answer": answer,
-            "findings": labels::findings(&findings, &file.converted),
+            "findings": labels::findings(&findings, file.converted()),
         }))
     }
 }

@@ -43,7 +43,7 @@ fn column(head: &str, file: &SceneFile) -> Option<Column> {
 /// the mean pressures \[Pa\] over the range of the slider to solve it at, each with its load in
 /// words.
 pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
-    let scan = file.scan.as_deref()?;
+    let scan = file.scan()?;
     let [rows, columns] = [scan.rows(), scan.columns()];
     let (large, missing) = (rows.max(columns) > MOST_PIXELS, scan.missing_share());
     let fill = !large && missing > 0.0 && missing <= Topography::MOST_FILLED;
@@ -131,7 +131,8 @@ fn solved(press: &Press<'_>, pressed: &Pressed) -> Result<Value, Refusal> {
     let (file, mut heads, mut row) = (press.file, press.heads(), pressed.cells.clone());
     // From the plane of the models' separations, so that both are in one picture.
     let gap = Separation::metres(pressed.solution.mean_gap).from_surface_mean();
-    let separation = gap.measured_in(SeparationUnit::Metres, file.separation_from, &file.scene);
+    let separation =
+        gap.measured_in(SeparationUnit::Metres, file.spec.separation_from, &file.scene);
     let none = |error: ContactError| Cell::Blank(Some(error.into()));
     heads.insert(2, "separation_m".into());
     row.insert(2, separation.map_or_else(none, |found| found.value.into()));

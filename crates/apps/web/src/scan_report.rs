@@ -23,7 +23,7 @@ pub(crate) struct Shape {
 
 /// The statistics of the scan of a scene, and the shape of its heights.
 pub(crate) fn numbers(file: &SceneFile) -> Result<Value, Refusal> {
-    let (Some(scan), Some(measured)) = (&file.scan, &file.measured) else {
+    let (Some(scan), Some(measured)) = (file.scan(), &file.measured) else {
         return Err(Refusal::new("the scene has no scan"));
     };
     let reported =
@@ -72,7 +72,7 @@ mod tests {
         let file = parse_handed(&text, &files).unwrap();
         let about = numbers(&file).unwrap();
         let shape = serde_json::from_value(about["shape"].clone()).unwrap();
-        let found = report(file.scan.as_ref().unwrap().heights().to_vec(), shape).unwrap();
+        let found = report(file.scan().unwrap().heights().to_vec(), shape).unwrap();
         assert!(found["svg"].as_str().unwrap().starts_with("<svg"));
         assert!(found["caption"][0].as_str().unwrap().contains("64 x 64 points"));
         assert_eq!(

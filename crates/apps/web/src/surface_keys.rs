@@ -172,7 +172,7 @@ pub(crate) fn described(text: &str, way: &str, file: &SceneFile) -> Result<Strin
 }
 
 fn is_of_like_bodies(file: &SceneFile) -> bool {
-    matches!(&*file.bodies, [first, second] if first == second)
+    matches!(file.bodies(), [first, second] if first == second)
 }
 
 /// The text whose surface is a file. In place of another file it is levelled and filtered with the

@@ -19,7 +19,7 @@ impl Statistics {
         let found = Finding::warning("unusual-size", "measured_slope", slope)
             .implausible(slope > SLOPE[1])
             .usual(SLOPE)
-            .advice(format!("check `unit` and `pixel_size` ({pixel_size:e} m)"));
+            .advice(format!("check unit and pixel_size ({pixel_size:e} m)"));
         (!(SLOPE[0]..=SLOPE[1]).contains(&slope)).then_some(found)
     }
 
@@ -28,7 +28,7 @@ impl Statistics {
     #[must_use]
     pub fn unusual_height(&self) -> Option<Finding> {
         let found = Finding::warning("unusual-size", "sq", self.sq).unit("m").usual(SQ);
-        let found = found.advice("check `unit`, in which heights and `pixel_size` are read");
+        let found = found.advice("check unit, in which heights and pixel_size are read");
         (!(SQ[0]..=SQ[1]).contains(&self.sq)).then_some(found)
     }
 
@@ -38,7 +38,7 @@ impl Statistics {
     pub fn unusual_kurtosis(&self) -> Option<Finding> {
         let found = Finding::warning("not-gaussian", "sku", self.sku).usual([0.0, FAT]);
         let found = found.advice(
-            "a few points far from the others dominate `sq` and `sku`, in groups that `despike` leaves as features; mark them as missing in the file",
+            "a few points far from the others dominate sq and sku, in groups that despike leaves as features; mark them as missing in the file",
         );
         (self.sku > FAT && !self.outliers.matter()).then_some(found)
     }

@@ -4,7 +4,7 @@ use asperity::nearest_name;
 use toml::de::Error;
 
 use super::Document;
-use crate::SceneError;
+use crate::error::{Place, SceneError};
 use crate::keys::{Key, section_and_name};
 use crate::likely::{notation_hint, number_hint};
 use crate::text_file::shorten;
@@ -14,7 +14,7 @@ impl Document<'_> {
     /// expected.
     pub(crate) fn wrong(&self, path: &str, message: &str) -> SceneError {
         let (name, meaning) = (section_and_name(path).1, Key::meaning(path));
-        let span = self.places.get(path).map(|[_, value]| value.clone());
+        let span = self.values.get(path).cloned();
         let found = self.text.get(span.unwrap_or_default()).unwrap_or_default();
         let found = shorten(found).replace(char::is_control, " ");
         let expected = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
@@ -69,7 +69,8 @@ impl Document<'_> {
 
     /// An error of TOML syntax.
     pub(super) fn toml_error(&self, error: &Error) -> SceneError {
-        let at = self.at("TOML", error.span().map_or(0, |span| span.start));
+        let line = self.line(error.span().map_or(0, |span| span.start));
+        let at = Box::new(Place { line, ..self.origin.place("TOML") });
         let found = self.text.lines().nth(at.line.unwrap_or(1) - 1).unwrap_or_default();
         let reason = error.message().replace('\n', ", ");
         let advice = other_notation(found).unwrap_or_default();

@@ -20,7 +20,8 @@ fn near(found: f64, wanted: f64, within: f64) {
 
 /// Ranges of Rq, slope and bandwidth of the first surface.
 fn ranges(file: &SceneFile) -> [[f64; 3]; 3] {
-    let all: Vec<[f64; 3]> = file.unknowns().map(|(_, unknown)| unknown.range).collect();
+    let all: Vec<[f64; 3]> =
+        file.unknowns().into_iter().map(|(_, unknown)| unknown.range).collect();
     [all[0], all[1], all[2]]
 }
 

@@ -76,10 +76,11 @@ proptest! {
         table.splice(at..(at + cut).min(table.len()), put.chars());
         std::fs::write(&path, table.iter().collect::<String>()).unwrap();
         let Ok(file) = parse(&text, folder.path()) else { return Ok(()) };
-        let table = file.table.unwrap();
+        let table = file.table().unwrap();
         prop_assert!(table.standard_deviation() > 0.0 && table.mean().is_finite());
         std::fs::write(&path, write_heights(table.points())).unwrap();
-        let again = parse(&text, folder.path()).unwrap().table.unwrap();
+        let again = parse(&text, folder.path()).unwrap();
+        let again = again.table().unwrap();
         prop_assert_eq!(again.points(), table.points());
     }
 }

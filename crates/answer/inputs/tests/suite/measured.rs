@@ -120,7 +120,7 @@ fn measured_heights_smooth_and_periodic_are_applied() {
     let topography = read(&directory.join("a.txt"), &ReadOptions::default()).unwrap();
     let topography = topography.level(Level::Plane).unwrap();
     let summits = topography.summits().unwrap();
-    let table = file.table.as_ref().unwrap();
+    let table = file.table().unwrap();
     let std = summits.surface().unwrap().asperity_height_std;
     assert!((table.standard_deviation() / std - 1.0).abs() < 1e-9);
     // The offset from the mean plane is that of the summits.

@@ -97,7 +97,7 @@ fn models_that_a_scene_does_not_allow_are_left_out_with_the_reason() {
 
 #[test]
 fn keywords_serde_and_scene_files_agree() {
-    let from_file = scene(OTHERS).options;
+    let from_file = scene(OTHERS).spec.options;
     let mut by_keyword = ModelOptions::default();
     for (name, value) in [
         ("angle_density", "upright".into()),

@@ -30,7 +30,7 @@ fn options_and_numbers_of_a_scene_hold_on_random_asperities() {
     let area = file.inputs(["nominal_area"]).unwrap()[0];
     let moved = file.with_inputs([(area, 2e-4)]).unwrap();
     assert!((value(&moved) / value(&file) - 2.0).abs() < 1e-12);
-    file.options.set("af_flow_pressure", &"H".into()).unwrap();
+    file.spec.options.set("af_flow_pressure", &"H".into()).unwrap();
     let af = file.model("af-random").unwrap();
     assert!(af.options().unwrap().to_string().contains("\"H\""), "{:?}", af.options());
 }

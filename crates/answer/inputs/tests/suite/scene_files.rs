@@ -45,7 +45,7 @@ fn the_scene_of_the_manual_is_read() {
     assert_eq!(file.scene.interface, interface);
     assert_eq!(file.scene.surface, Surface::new(3.59e-4, 1.11e8, 1e-6));
     assert!(matches!(file.scene.heights, HeightDistribution::Gaussian));
-    assert_eq!((file.separation_from, file.warnings.len()), (Datum::AsperityMean, 0));
+    assert_eq!((file.spec.separation_from, file.warnings.len()), (Datum::AsperityMean, 0));
     let integers = text("", &INTERFACE.replace("116e9", "116_000_000_000"), SURFACE);
     assert_eq!(read(&integers).unwrap().scene.interface, interface);
 }

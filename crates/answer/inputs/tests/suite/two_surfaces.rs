@@ -162,12 +162,12 @@ fn aligned_scans_add_point_by_point_and_their_moments_within_the_sampling_error(
         scene(folder.path(), &text).unwrap()
     };
     let (independent, aligned) = (of(""), of("aligned = true"));
-    let scan = aligned.scan.clone().unwrap();
+    let scan = aligned.scan().unwrap();
     let mean = a.iter().chain(&b).sum::<f64>() / a.len() as f64;
     for (k, z) in scan.heights().iter().enumerate() {
         assert!((z - (a[k] + b[k] - mean)).abs() < 1e-18, "{k}");
     }
-    let statistics = |file: &SceneFile| file.measured.clone().unwrap().statistics;
+    let statistics = |file: &SceneFile| file.measured.clone().unwrap().statistics.clone();
     let (sum, both) = (statistics(&independent), statistics(&aligned));
     // 128² points with 24 points in the longest wave: some tens of independent ones.
     near(both.m0, sum.m0, 0.15);
@@ -175,17 +175,20 @@ fn aligned_scans_add_point_by_point_and_their_moments_within_the_sampling_error(
     // A share of m4 is of products of both directions, as few independent ones again.
     near(both.m4, sum.m4, 0.05);
     assert!((both.m0 / sum.m0 - 1.0).abs() > 1e-6);
-    assert!(independent.scan.is_none());
+    assert!(independent.scan().is_none());
     let request = Request::new([Quantity::Area]).at([asperity::At::Pressure(1e8)]);
     let bem = aligned.model("bem").unwrap().solve(&aligned.scene, &request).unwrap();
     assert!(bem.values(Quantity::Area).unwrap()[0] > 0.0);
-    let mirrored = of("aligned = \"mirrored\"").scan.unwrap();
+    let mirrored = of("aligned = \"mirrored\"");
+    let mirrored = mirrored.scan().unwrap();
     for (k, z) in mirrored.heights().iter().enumerate() {
         let turned = k / 128 * 128 + 127 - k % 128;
         assert!((z - (a[k] + b[turned] - mean)).abs() < 1e-18, "{k}");
     }
     // Summits are found on the sum.
-    assert!(of("aligned = true\nestimator = \"summits\"\nheights = \"measured\"").table.is_some());
+    assert!(
+        of("aligned = true\nestimator = \"summits\"\nheights = \"measured\"").table().is_some()
+    );
 }
 
 #[test]

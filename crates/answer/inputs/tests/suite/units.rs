@@ -173,7 +173,7 @@ fn units_that_are_not_decimal_are_taken_with_a_note_at_their_key() {
     assert!((file.scene.nominal_area - 645.16e-6).abs() < 1e-12);
     let hardness = file.scene.interface.hardness.unwrap();
     assert!((hardness / 2.1153e9 - 1.0).abs() < 1e-4, "{hardness}");
-    let keys: Vec<&str> = file.converted.iter().map(|(key, _)| &**key).collect();
+    let keys: Vec<&str> = file.converted().iter().map(|(key, _)| &**key).collect();
     assert_eq!(keys, ["interface.hardness", "nominal_area"]);
 }
 
@@ -186,6 +186,6 @@ fn a_hardness_by_another_test_is_taken_with_its_table() {
                 .unwrap();
         let found = file.scene.interface.hardness.unwrap();
         assert!((found / pascals - 1.0).abs() < 1e-4, "{hardness}: {found}");
-        assert_eq!(file.converted[0].0, "interface.hardness");
+        assert_eq!(file.converted()[0].0, "interface.hardness");
     }
 }

@@ -316,7 +316,7 @@ fn of_scene(scene: &str, heights: &str) -> Vec<String> {
     match parse_handed(scene, &files) {
         Ok(file) => {
             let all = file.warnings.iter().cloned().chain(file.findings());
-            let converted = file.converted.iter();
+            let converted = file.converted().iter();
             let mut said: Vec<String> =
                 converted.map(|(key, text)| format!("{key}: {text}")).collect();
             for line in all.map(|found| found.to_string()) {

@@ -6,7 +6,7 @@ use std::path::Path;
 use asperity::{
     Datum, HeightDistribution, Interface, Scene, Surface, TabulatedHeights, WeibullHeights,
 };
-use asperity_inputs::{ModelOptions, SceneError, SceneFile, load, parse, template};
+use asperity_inputs::{HeightsSpec, ModelOptions, SceneError, SceneFile, load, parse, template};
 use proptest::prelude::*;
 
 use crate::scene_files::INTERFACE;
@@ -42,7 +42,7 @@ fn assert_same_inputs(one: &SceneFile, other: &SceneFile) {
     assert_eq!(one.scene.surface, other.scene.surface);
     let bits = |file: &SceneFile| {
         let offset = file.scene.mean_plane_offset.map(f64::to_bits);
-        let points = file.table.as_ref().map(|table| format!("{:?}", table.points()));
+        let points = file.table().map(|table| format!("{:?}", table.points()));
         let skewness = match &file.scene.heights {
             HeightDistribution::Weibull(heights) => Some(heights.skewness().to_bits()),
             _ => None,
@@ -51,16 +51,16 @@ fn assert_same_inputs(one: &SceneFile, other: &SceneFile) {
         (file.scene.nominal_area.to_bits(), offset, points, skewness, kind)
     };
     assert_eq!(bits(one), bits(other));
-    assert_eq!(one.options, other.options);
-    assert_eq!(one.separation_from, other.separation_from);
-    assert_eq!(one.bodies, other.bodies);
+    assert_eq!(one.spec.options, other.spec.options);
+    assert_eq!(one.spec.separation_from, other.spec.separation_from);
+    assert_eq!(one.bodies(), other.bodies());
 }
 
 #[test]
 fn the_template_has_the_defaults_and_no_warning() {
     let file = read(template());
     assert!(file.warnings.is_empty());
-    assert_eq!(file.options, ModelOptions::default());
+    assert_eq!(file.spec.options, ModelOptions::default());
     assert!(
         (file.scene.plasticity_index().unwrap() - 4.501).abs() < 1e-3,
         "{:?}",
@@ -163,8 +163,8 @@ fn every_key_of_the_top_and_of_the_surface_is_written_again() {
             assert!(written.contains(name), "{name} is lost\n{text}");
         }
         assert_eq!(
-            again.scan.as_deref().map(|s| s.heights().to_vec()),
-            file.scan.as_deref().map(|s| s.heights().to_vec())
+            again.scan().map(|s| s.heights().to_vec()),
+            file.scan().map(|s| s.heights().to_vec())
         );
         let statistics =
             |file: &SceneFile| file.measured.as_ref().map(|m| format!("{:?}", m.statistics));
@@ -200,17 +200,17 @@ fn the_keys_of_a_surface_stay_when_its_numbers_change() {
 
 #[test]
 fn changed_numbers_are_written() {
-    let mut file = read(template());
-    file.scene.interface.hardness = Some(3e9);
-    let (text, _) = written_only(&file);
-    assert!(text.contains("hardness = 3e9") && !text.contains("[[body]]"), "{text}");
+    let file = read(template());
+    let modulus = file.inputs(["equivalent_modulus"]).unwrap()[0];
+    let (text, _) = written_only(&file.with_inputs([(modulus, 3e11)]).unwrap());
+    assert!(text.contains("equivalent_modulus = 3e11") && !text.contains("[[body]]"), "{text}");
     // An interface that follows from changed bodies is written as these.
     let plain = read(template());
     let hardness = plain.inputs(["body1_hardness", "body2_youngs_modulus"]).unwrap();
     let changed = plain.with_inputs(hardness.into_iter().zip([1.5e9, 7e10])).unwrap();
     let (text, again) = written_only(&changed);
     assert!(text.contains("hardness = 1.5e9") && text.contains("youngs_modulus = 7e10"), "{text}");
-    assert!(again.bodies == changed.bodies && !text.contains("[interface]"), "{text}");
+    assert!(again.bodies() == changed.bodies() && !text.contains("[interface]"), "{text}");
     let index = template().replace("asperity_radius = 2e-4 ", "plasticity_index = 2 ");
     let index = index.replace("asperity_density = 2e8 ", "roughness_parameter = 0.04 ");
     let file = read(&index);
@@ -236,13 +236,16 @@ fn written_only(file: &SceneFile) -> (String, SceneFile) {
 
 #[test]
 fn heights_and_comments_are_written() {
-    let mut file = read(template());
-    file.scene.heights = HeightDistribution::Exponential;
+    let with = |heights: HeightDistribution| {
+        let mut spec = read(template()).spec;
+        spec.heights = heights.into();
+        SceneFile::of_spec(spec).unwrap()
+    };
+    let file = with(HeightDistribution::Exponential);
     let text = file.to_toml(&["from scan.x3p,\nlevelled\r[x]"]).unwrap();
     assert!(text.starts_with("# from scan.x3p,\n# levelled [x]\n"), "{text}");
     again(&file);
-    file.scene.heights = HeightDistribution::Weibull(WeibullHeights::new(-0.6).unwrap());
-    again(&file);
+    again(&with(HeightDistribution::Weibull(WeibullHeights::new(-0.6).unwrap())));
 }
 
 #[test]
@@ -251,18 +254,22 @@ fn a_table_of_heights_is_in_the_text_or_beside_the_file() {
     let points: Vec<(f64, f64)> =
         (0..50).map(|k| (1e-6 * f64::from(k) / 7.0, (f64::from(k) / 3.0).sin().powi(2))).collect();
     let table = TabulatedHeights::new("own", &points).unwrap();
-    let mut file = read(template());
-    file.scene.surface.asperity_height_std = table.standard_deviation();
-    file.scene.heights = HeightDistribution::other(table.clone());
-    file.scene.mean_plane_offset = Some(table.mean());
-    file.separation_from = Datum::SurfaceMean;
+    let std = read(template()).inputs(["asperity_height_std"]).unwrap()[0];
+    let file = read(template()).with_inputs([(std, table.standard_deviation())]).unwrap();
+    let with = |heights: HeightsSpec| {
+        let separation_from = Datum::SurfaceMean;
+        let mut spec = file.spec.clone();
+        (spec.heights, spec.separation_from) = (heights, separation_from);
+        SceneFile::of_spec(spec).unwrap()
+    };
     // Without its points the density cannot be written.
     let unwritable = |refused: SceneError| match refused {
         SceneError::Unwritable { at, .. } => at.field,
         other => panic!("{other}"),
     };
-    assert_eq!(unwritable(file.to_toml(&[]).unwrap_err()), "surface.heights");
-    file.table = Some(table);
+    let other = with(HeightDistribution::other(table.clone()).into());
+    assert_eq!(unwritable(other.to_toml(&[]).unwrap_err()), "surface.heights");
+    let file = with(HeightsSpec::of_table(table));
     again(&file);
     let path = folder.path().join("scene.toml");
     let text = file.save(&path, &[]).unwrap();
@@ -272,11 +279,6 @@ fn a_table_of_heights_is_in_the_text_or_beside_the_file() {
     for name in ["scene.csv", "no/scene.toml"] {
         unwritable(file.save(&folder.path().join(name), &[]).unwrap_err());
     }
-    // An offset other than the table's has no key.
-    file.scene.mean_plane_offset = Some(1e-6);
-    assert_eq!(unwritable(file.to_toml(&[]).unwrap_err()), "surface.mean_plane_offset");
-    file.scene.nominal_area = f64::NAN;
-    assert!(file.to_toml(&[]).is_err());
 }
 
 proptest! {
@@ -299,11 +301,11 @@ proptest! {
         scene.mean_plane_offset = given[3].then_some(offset);
         let mut file = SceneFile::from(scene);
         if given[4] {
-            file.separation_from = Datum::SurfaceMean;
+            file.spec.separation_from = Datum::SurfaceMean;
         }
         if vertical {
-            file.options.set("force", &"vertical".into()).unwrap();
-            file.options.set("displacement", &BTreeMap::from([("zeta", zeta), ("xi", 0.0)]).into()).unwrap();
+            file.spec.options.set("force", &"vertical".into()).unwrap();
+            file.spec.options.set("displacement", &BTreeMap::from([("zeta", zeta), ("xi", 0.0)]).into()).unwrap();
         }
         again(&file);
     }

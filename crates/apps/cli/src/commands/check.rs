@@ -68,7 +68,7 @@ impl Check {
             _ => self.output.write(&sheet)?,
         }
         output::show(&sheet.findings);
-        let converted = scene.file.converted.iter().map(|(key, text)| format!("{key}: {text}"));
+        let converted = scene.file.converted().iter().map(|(key, text)| format!("{key}: {text}"));
         output::print_results(&converted.collect::<Vec<_>>());
         refused.map_or(Ok(()), Err)
     }

@@ -29,7 +29,7 @@ pub(crate) fn check<'py>(
         None => file.check(None).map_err(refused)?,
         Some((engine, axis, number)) => {
             let model = engine.on(&file.middle().map_err(refused)?)?;
-            let at = axis.at(number, file.separation_from);
+            let at = axis.at(number, file.spec.separation_from);
             match py.detach(|| file.check(Some((&model, at)))) {
                 Ok(checked) => checked,
                 Err(error) => explain(file, &error).ok_or_else(|| engine.raise(py, error))?,
@@ -69,7 +69,7 @@ pub(crate) fn pull_off(
         let Some(found) = asperity::pull_off(&*model.compile(&file.scene, &request)?)? else {
             return Ok(None);
         };
-        let place = unit.of(found.separation, file.separation_from, &file.scene)?;
+        let place = unit.of(found.separation, file.spec.separation_from, &file.scene)?;
         Ok(Some((found.force.value(), place)))
     })
 }

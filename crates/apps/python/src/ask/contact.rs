@@ -111,7 +111,8 @@ impl Contact {
         let end = |name: &str, given: &Object<'_>| {
             let (number, is_si) = Given::read(given, name, self.axis.si())?;
             let axis = if is_si { self.axis.in_si() } else { self.axis };
-            let found = sigmas(number.numbers()?, axis, self.file.separation_from, contact.scene());
+            let found =
+                sigmas(number.numbers()?, axis, self.file.spec.separation_from, contact.scene());
             let none = || value_error(format!("{name} has no separation of the asperities"));
             found.as_deref().and_then(<[f64]>::first).copied().ok_or_else(none)
         };
@@ -188,7 +189,7 @@ impl Contact {
         numbers: &Object<'py>,
         one: impl Fn(&dyn asperity::Contact, At) -> Result<[Evaluation; N], ContactError> + Sync,
     ) -> PyResult<Vec<Object<'py>>> {
-        let (py, from) = (numbers.py(), self.file.separation_from);
+        let (py, from) = (numbers.py(), self.file.spec.separation_from);
         if let Some(&quantity) = quantities.iter().find(|q| !self.request.quantities.contains(q)) {
             return Err(value_error(ContactError::NotRequested { quantity }));
         }
@@ -217,7 +218,7 @@ impl Contact {
         if !matches!(axis, Axis::Separation(_)) || numbers.len() < FEW {
             return Ok(None);
         }
-        let (scene, from) = (contact.scene(), self.file.separation_from);
+        let (scene, from) = (contact.scene(), self.file.spec.separation_from);
         let fill = |range: Range<usize>| {
             let places = sigmas(&numbers[range], axis, from, scene)?;
             Some(filled(contact, &quantities, &places)?.0)

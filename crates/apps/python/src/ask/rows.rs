@@ -120,7 +120,7 @@ impl Rows {
     /// The plane that a row's separations are measured from.
     pub(crate) fn datum(&self, row: usize) -> Datum {
         // Columns of numbers vary a single scene.
-        self.files[if self.columns.is_empty() { self.place(row) } else { 0 }].separation_from
+        self.files[if self.columns.is_empty() { self.place(row) } else { 0 }].spec.separation_from
     }
 
     /// The single scene of all rows, with its options; none if there are several.
@@ -153,7 +153,7 @@ impl Rows {
     /// The separations of these rows on a scene as multiples of σ_z from the mean of the asperity
     /// heights; none for loads, or without a mean plane.
     pub(crate) fn sigmas(&self, rows: Range<usize>, scene: &Scene) -> Option<Cow<'_, [f64]>> {
-        sigmas(&self.numbers[rows], self.axis, self.files.first()?.separation_from, scene)
+        sigmas(&self.numbers[rows], self.axis, self.files.first()?.spec.separation_from, scene)
     }
 
     /// A warning if the separation of largest magnitude has probably another unit.

@@ -58,9 +58,8 @@ impl Pressed {
         })?;
         // Boundary elements use no asperities.
         let none = asperity::Surface::new(1.0, 1.0, 1.0);
-        let mut file: asperity_inputs::SceneFile =
-            asperity::Scene::new(interface, none, map.area()).into();
-        file.scan = Some(levelled.into());
+        let scene = asperity::Scene::new(interface, none, map.area());
+        let file = asperity_inputs::SceneFile::from(scene).pressing_scan(levelled);
         Self::of_scene(surface.py(), file, given)
     }
 
@@ -73,7 +72,7 @@ impl Pressed {
     ) -> PyResult<Self> {
         let file = file.pressing(given);
         let bem = file.bem().map_err(value_error)?;
-        bem.note().map_or(Ok(()), |note| warn_unless(py, &file.accept, &note, 1))?;
+        bem.note().map_or(Ok(()), |note| warn_unless(py, &file.spec.accept, &note, 1))?;
         Ok(Self { bem, file })
     }
 }

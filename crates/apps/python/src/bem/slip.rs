@@ -29,7 +29,7 @@ pub(crate) fn bem_slip<'py>(
     let Pressed { bem, file } = Pressed::new(pressed)?;
     let (pixels, model) = (bem.map().shape(), Model::new(bem));
     let ((axis, number), (amplitude, points)) = (given, cycle);
-    let (at, tolerance) = (axis.at(number, file.separation_from), Tolerance::default());
+    let (at, tolerance) = (axis.at(number, file.spec.separation_from), Tolerance::default());
     let subject = Subject { file: &file, name: "", id: Bem::ID, model: &model, tolerance };
     let slip = Slip { subject, law: UnloadingLaw::Hertz, friction };
     let (mut sheet, cycle) = (Sheet::default(), [Amplitude::Shift(amplitude)]);

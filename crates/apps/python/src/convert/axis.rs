@@ -111,6 +111,6 @@ impl Axis {
         above: usize,
     ) -> PyResult<()> {
         let mistaken = self.mistaken_unit(name, numbers, file.scene.surface.asperity_height_std);
-        mistaken.map_or(Ok(()), |found| warn_unless(py, &file.accept, &found, above))
+        mistaken.map_or(Ok(()), |found| warn_unless(py, &file.spec.accept, &found, above))
     }
 }

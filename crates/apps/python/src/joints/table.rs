@@ -164,7 +164,7 @@ impl JointTable {
         let refused = |error| match error {
             ContactError::BelowTable { field, .. } => {
                 let value = if field == "closest" { closest } else { separation };
-                let (unit, from) = (self.unit, self.scene.get().0.separation_from);
+                let (unit, from) = (self.unit, self.scene.get().0.spec.separation_from);
                 let given = |value| Separation { value, unit, from };
                 let [separation, deepest] = [value, self.ends.0].map(given);
                 ContactError::BelowTable { field, separation, deepest }

@@ -58,11 +58,11 @@ impl Unloading {
         let (axis, unit): (Axis, Axis) = (place.0.extract()?, separation_unit.extract()?);
         axis.warn_of_unit(py, "separation", &[place.1], &file, 1)?;
         let (named, tolerance) = (model.get().on(&file)?, tolerance(rtol)?);
-        let at = axis.at(place.1, file.separation_from);
+        let at = axis.at(place.1, file.spec.separation_from);
         let (joint, whole, closest) = model.get().run(py, || {
             let whole = joints::Joint::new(&named, &file.scene, law, tolerance)?;
             let joint = whole.unloading(at)?;
-            let closest = unit.of(joint.closest(), file.separation_from, joint.scene())?;
+            let closest = unit.of(joint.closest(), file.spec.separation_from, joint.scene())?;
             Ok((joint, whole, closest))
         })?;
         let found = py.detach(|| check_scene(model.get(), &named, &file, [at]));
@@ -151,7 +151,7 @@ impl Unloading {
             let work = self.whole.work(closest)?;
             Ok((work, self.whole.energy_gain(closest, &work)?))
         })?;
-        let accept = &self.scene.get().0.accept;
+        let accept = &self.scene.get().0.spec.accept;
         gain.map_or(Ok(()), |gain| warn_unless(py, accept, &gain.finding(), 0))?;
         Ok(work)
     }

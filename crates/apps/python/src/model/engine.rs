@@ -177,7 +177,7 @@ impl Engine {
     /// The model on a scene; options of the model replace those of the scene.
     pub(crate) fn on(&self, file: &SceneFile) -> PyResult<Model> {
         file.need_known().map_err(value_error)?;
-        self.with(file.options, Some(file))
+        self.with(file.spec.options, Some(file))
     }
 
     /// The model on all scenes, whose options must agree.
@@ -191,10 +191,10 @@ impl Engine {
             let text = format!("{count} scenes were given: {id} needs a single scene with a scan");
             return Err(value_error(text));
         }
-        let first = files.first().map_or_else(ModelOptions::default, |file| file.options);
+        let first = files.first().map_or_else(ModelOptions::default, |file| file.spec.options);
         for (k, file) in files.iter().enumerate() {
-            if file.options != first
-                && self.own_options(file.options)? != self.own_options(first)?
+            if file.spec.options != first
+                && self.own_options(file.spec.options)? != self.own_options(first)?
             {
                 return Err(value_error(format!(
                     "scene {k} has other options than scene 0: give the options to asperity.model"

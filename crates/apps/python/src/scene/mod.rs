@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use asperity::{ContactError, HeightDistribution, Quantity};
+use asperity_inputs::Bodies;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
@@ -91,14 +92,8 @@ impl SceneFile {
         of_surface.insert("separation_from".into(), separation_from.into());
         let offset = mean_plane_offset.map(|given| number("Scene", "mean_plane_offset", given));
         of_surface.extend(offset.transpose()?.map(|x| ("mean_plane_offset".into(), x.into())));
-        // Its surface is replaced by that of the keys.
-        let scene = asperity::Scene::new(
-            instance("interface", interface)?,
-            asperity::Surface::new(1.0, 1.0, 1.0),
-            number("Scene", "nominal_area", nominal_area)?,
-        );
-        let mut file = asperity_inputs::SceneFile::from(scene);
-        file.bodies = records::bodies(interface)?;
+        let bodies = Bodies::of(records::bodies(interface)?, instance("interface", interface)?);
+        let area = number("Scene", "nominal_area", nominal_area)?;
         let options = keys_of(options.unwrap_or_default());
         let sections: [(_, asperity_inputs::OptionValue); 3] = [
             ("surface", of_surface.into()),
@@ -106,7 +101,8 @@ impl SceneFile {
             ("accept", accept.into()),
         ];
         let keys = sections.map(|(name, value)| (name.to_string(), value)).into_iter().collect();
-        Ok(Self(Arc::new(file.with_keys(keys).map_err(value_error)?)))
+        let made = asperity_inputs::SceneFile::with_keys(&bodies, area, keys);
+        Ok(Self(Arc::new(made.map_err(value_error)?)))
     }
 
     /// Reads a scene file and the files it names; warnings of the codes in ``accept`` are not
@@ -136,14 +132,14 @@ impl SceneFile {
     /// The two bodies.
     #[getter]
     fn interface<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        records::interface(py, &self.0.scene.interface, &self.0.bodies)
+        records::interface(py, &self.0.scene.interface, self.0.bodies())
     }
 
     /// The equivalent rough surface; an error if it is known within ranges.
     #[getter]
     fn surface<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
         self.0.need_known().map_err(value_error)?;
-        records::surface(py, &self.0.scene.surface, self.0.roughness)
+        records::surface(py, &self.0.scene.surface, self.0.roughness())
     }
 
     /// The apparent area of contact [m^2].
@@ -155,7 +151,7 @@ impl SceneFile {
     /// The distribution of the asperity heights: its name, its skewness, or a table.
     #[getter]
     fn heights<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        match (&self.0.table, &self.0.scene.heights) {
+        match (self.0.table(), &self.0.scene.heights) {
             (Some(table), _) => {
                 let (z, density): (Vec<f64>, Vec<f64>) = table.points().iter().copied().unzip();
                 (PyTuple::new(py, z)?, PyTuple::new(py, density)?).into_bound_py_any(py)
@@ -170,33 +166,36 @@ impl SceneFile {
     /// The plane of separation 0.
     #[getter]
     fn separation_from<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        object(py, &self.0.separation_from)
+        object(py, &self.0.spec.separation_from)
     }
 
     /// Height of the mean of the asperity heights above the mean plane [m], if given.
     #[getter]
     fn mean_plane_offset(&self) -> Option<f64> {
         // The mean of a table is derived, not given.
-        self.0.scene.mean_plane_offset.filter(|_| self.0.table.is_none())
+        let of_pair = self.0.spec.surface.mean_plane_offset;
+        let alone = || self.0.scene.mean_plane_offset.filter(|_| self.0.table().is_none());
+        if self.0.scene.pair.is_some() { of_pair } else { alone() }
     }
 
     /// The options that differ from the defaults.
     #[getter]
     fn options<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        object(py, &self.0.options.changed())
+        object(py, &self.0.spec.options.changed())
     }
 
     /// Codes of warnings that are not emitted.
     #[getter]
     fn accept<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
-        PyTuple::new(py, &self.0.accept)
+        PyTuple::new(py, &self.0.spec.accept)
     }
 
     /// A copy with other numbers, by the names of a scene file: that of the file with these numbers
     /// in the place of those written. Their order does not matter.
     ///
     /// Of a scene with bodies, hardness, youngs_modulus and so on are those of both bodies, and
-    /// body1_hardness that of one. Numbers of a surface are those of the first of two: as written,
+    /// body1_hardness that of one. Numbers of a surface are those of the first of two, and
+    /// counterface_m0 and so on those of the second: as written,
     /// so that a plasticity_index stays where asperity_height_std or hardness changes, or m0 where
     /// m2 does. Of a surface that is written otherwise, asperity_radius, asperity_density and
     /// asperity_height_std, or plasticity_index and roughness_parameter, describe it from then on,

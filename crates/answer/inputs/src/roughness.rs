@@ -1,0 +1,187 @@
+//! Three numbers that describe a rough surface.
+
+use std::f64::consts::PI;
+
+use asperity::{ContactError, Interface, ProfileMoments, Scene, Surface, positive};
+
+/// The ways to describe a surface by three numbers.
+pub(crate) const WAYS: &[[&str; 3]; 7] = &[
+    ["asperity_radius", "asperity_density", "asperity_height_std"],
+    ["plasticity_index", "roughness_parameter", "asperity_height_std"],
+    ["asperity_radius", "asperity_density", "surface_height_std"],
+    ["surface_height_std", "mean_slope", "asperity_density"],
+    ["m0", "m2", "m4"],
+    ["sq", "spd", "spc"],
+    ["sq", "spd", "sdq"],
+];
+
+/// What three numbers of a surface are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    /// Radius and density of the asperities, and the standard deviation of their heights.
+    Asperities,
+    /// Plasticity index, density times radius times standard deviation, and that deviation: the
+    /// asperities follow from the interface as well.
+    PlasticityIndex,
+    /// Radius and density of the asperities, and the standard deviation of the surface heights.
+    SurfaceStd,
+    /// The standard deviation of the surface heights, the mean absolute slope of profiles, and the
+    /// density of the asperities.
+    MeanSlope,
+    /// Spectral moments of profiles: m0, m2 and m4.
+    Moments,
+    /// Parameters of ISO 25178: Sq, Spd and Spc.
+    Iso25178,
+    /// Parameters of ISO 25178: Sq, Spd and the rms gradient Sdq of an isotropic Gaussian surface.
+    Gradient,
+}
+
+impl Way {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Asperities,
+        Self::PlasticityIndex,
+        Self::SurfaceStd,
+        Self::MeanSlope,
+        Self::Moments,
+        Self::Iso25178,
+        Self::Gradient,
+    ];
+
+    /// The keys of the numbers.
+    #[must_use]
+    pub fn keys(self) -> &'static [&'static str; 3] {
+        &WAYS[self as usize]
+    }
+
+    /// The way with these keys.
+    #[must_use]
+    pub fn of(keys: &[&str]) -> Option<Self> {
+        Self::ALL.into_iter().find(|way| *way.keys() == *keys)
+    }
+
+    /// Whether the numbers are those of the surface, from which its asperities follow, not the
+    /// asperities themselves.
+    #[must_use]
+    pub fn is_of_surface(self) -> bool {
+        !matches!(self, Self::Asperities | Self::PlasticityIndex)
+    }
+}
+
+/// A rough surface by three numbers in SI units, as in `[surface]`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Roughness {
+    /// What they are.
+    pub way: Way,
+    /// The numbers, in the order of the keys.
+    pub numbers: [f64; 3],
+}
+
+impl Roughness {
+    /// A surface by its asperities.
+    #[must_use]
+    pub fn asperities(surface: &Surface) -> Self {
+        let Surface { asperity_radius: radius, asperity_density: density, .. } = *surface;
+        Self { way: Way::Asperities, numbers: [radius, density, surface.asperity_height_std] }
+    }
+
+    /// An isotropic Gaussian surface by its spectral moments.
+    #[must_use]
+    pub fn of_moments(ProfileMoments { m0, m2, m4 }: ProfileMoments) -> Self {
+        Self { way: Way::Moments, numbers: [m0, m2, m4] }
+    }
+
+    /// The numbers with their keys.
+    pub fn by_key(&self) -> impl Iterator<Item = (&'static str, f64)> + Clone + use<> {
+        self.way.keys().iter().copied().zip(self.numbers)
+    }
+
+    /// The asperities of the surface.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field that is out of range.
+    pub fn surface(&self, interface: &Interface) -> Result<Surface, ContactError> {
+        let [a, b, c] = self.numbers;
+        let surface = match self.way {
+            Way::Asperities => Ok(Surface::new(a, b, c)),
+            Way::PlasticityIndex => Surface::from_plasticity_index(a, b, c, interface),
+            Way::SurfaceStd => Surface::from_surface_std(a, b, c),
+            Way::MeanSlope => Surface::from_mean_slope(a, b, c),
+            Way::Moments => Surface::from_moments(&ProfileMoments { m0: a, m2: b, m4: c }),
+            Way::Iso25178 => Surface::from_iso25178(a, b, c),
+            Way::Gradient => from_gradient(a, b, c),
+        }?;
+        surface.check()?;
+        Ok(surface)
+    }
+
+    /// The spectral moments of profiles: given, or of the isotropic Gaussian surface with these
+    /// numbers and these `asperities`.
+    #[must_use]
+    pub fn moments(&self, asperities: &Surface) -> ProfileMoments {
+        let [first, second, third] = self.numbers;
+        let std = match self.way {
+            Way::Moments => return ProfileMoments { m0: first, m2: second, m4: third },
+            Way::Asperities | Way::PlasticityIndex => return asperities.moments(),
+            Way::SurfaceStd => third,
+            _ => first,
+        };
+        ProfileMoments { m0: std * std, ..asperities.moments() }
+    }
+
+    /// The way that has all of these keys: the own one, or else one of its asperities, by which any
+    /// surface can be described.
+    pub(crate) fn way_with(&self, keys: &[&str]) -> Option<Way> {
+        let ways = [self.way, Way::Asperities, Way::PlasticityIndex];
+        ways.into_iter().find(|way| keys.iter().all(|key| way.keys().contains(key)))
+    }
+
+    /// The same surface by the numbers of its own way, or of its asperities.
+    fn by(&self, way: Way, interface: &Interface) -> Result<Self, ContactError> {
+        if self.way == way {
+            return Ok(*self);
+        }
+        let surface = self.surface(interface)?;
+        if way == Way::Asperities {
+            return Ok(Self::asperities(&surface));
+        }
+        let scene = Scene::new(*interface, surface, 1.0);
+        let (index, parameter) = (scene.plasticity_index()?, surface.roughness_parameter());
+        Ok(Self { way, numbers: [index, parameter, surface.asperity_height_std] })
+    }
+
+    /// The number of a key, if the surface can be described by it.
+    pub(crate) fn number(&self, key: &str, interface: &Interface) -> Option<f64> {
+        let of = self.by(self.way_with(&[key])?, interface).ok()?;
+        of.by_key().find(|(name, _)| *name == key).map(|(_, number)| number)
+    }
+
+    /// The surface with other numbers: those of its keys replace what was written; with others it
+    /// is described by its asperities, of which the remaining numbers stay.
+    pub(crate) fn with(
+        &self,
+        given: &[(&str, f64)],
+        interface: &Interface,
+    ) -> Result<Self, ContactError> {
+        let is_own = given.iter().all(|(name, _)| self.way.keys().contains(name));
+        let way = match is_own {
+            true => self.way,
+            false => {
+                let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
+                self.way_with(&names).unwrap_or(self.way)
+            }
+        };
+        let mut edited = self.by(way, interface)?;
+        for (key, number) in way.keys().iter().zip(&mut edited.numbers) {
+            let found = given.iter().find(|(name, _)| name == key);
+            *number = found.map_or(*number, |(_, value)| *value);
+        }
+        Ok(edited)
+    }
+}
+
+/// Sdq over √π is the mean absolute slope of profiles of an isotropic Gaussian surface.
+fn from_gradient(sq: f64, spd: f64, sdq: f64) -> Result<Surface, ContactError> {
+    let (sq, spd, sdq) = (positive("sq", sq)?, positive("spd", spd)?, positive("sdq", sdq)?);
+    Surface::from_mean_slope(sq, sdq / PI.sqrt(), spd)
+}

@@ -1,0 +1,300 @@
+//! What was written about a scene, in SI numbers.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use asperity::{
+    Body, ContactError, Datum, HeightDistribution, Interface, ProfileMoments, Scene,
+    TabulatedHeights,
+};
+use asperity_topography::Topography;
+
+use crate::finish::Drawing;
+use crate::gap::Gas;
+use crate::keys::COUNTERFACE;
+use crate::materials::Material;
+use crate::measured::{Measured, Scan};
+use crate::options::ModelOptions;
+use crate::ranges::Face;
+use crate::roughness::{Roughness, Way};
+
+/// What was written about a scene. `SceneFile::of_spec` makes a scene of it.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct SceneSpec {
+    /// A_n \[m²\].
+    pub nominal_area: f64,
+    /// The bodies, or their interface.
+    pub bodies: Bodies,
+    /// The rough surface, or the first of two.
+    pub surface: SurfaceSpec,
+    /// The second rough surface.
+    pub counterface: Option<SurfaceSpec>,
+    /// What boundary elements press where that is not the scan of `surface`: the sum of two aligned
+    /// scans, or a scan beside asperities.
+    pub(crate) pressed: Option<Arc<Scan>>,
+    /// The distribution of the asperity heights.
+    pub heights: HeightsSpec,
+    /// The plane from which separations are measured.
+    pub separation_from: Datum,
+    /// The gas in the gap, if there is one.
+    pub gas: Option<Gas>,
+    /// The variants of the models.
+    pub options: ModelOptions,
+    /// Codes of accepted warnings and notes, which are not shown.
+    pub accept: Vec<String>,
+}
+
+/// The two bodies in contact, or what they have together.
+#[derive(Debug, Clone)]
+pub enum Bodies {
+    /// Two bodies, or one on a rigid counterface.
+    Each {
+        /// One or two.
+        bodies: Vec<Body>,
+        /// The materials that give their numbers.
+        materials: [Option<&'static Material>; 2],
+        /// Of both together \[J/m²\].
+        work_of_adhesion: Option<f64>,
+    },
+    /// Their equivalent properties.
+    Interface(Interface),
+}
+
+/// One rough surface.
+#[derive(Debug, Clone)]
+pub struct SurfaceSpec {
+    /// How it is described.
+    pub by: Description,
+    /// The height of the mean of the asperities above its mean plane \[m\], if given.
+    pub mean_plane_offset: Option<f64>,
+    /// Correlation length along x over that across, if given.
+    pub peklenik_number: Option<f64>,
+}
+
+/// A way to describe a rough surface.
+#[derive(Debug, Clone)]
+pub enum Description {
+    /// By three numbers.
+    Numbers(Roughness),
+    /// By roughness and finish.
+    Drawing(Box<Drawing>),
+    /// By a measurement.
+    Scan(Arc<Scan>),
+}
+
+/// The distribution of the asperity heights.
+#[derive(Debug, Clone, Default)]
+pub struct HeightsSpec {
+    /// The distribution.
+    pub distribution: HeightDistribution,
+    /// Its table, if it is one.
+    pub table: Option<Arc<TabulatedHeights>>,
+    /// Whether the table is of the summits of the scan.
+    pub(crate) is_measured: bool,
+    /// The file of the table.
+    pub(crate) file: Option<PathBuf>,
+}
+
+/// The interface of two bodies, or of one on a rigid counterface.
+///
+/// # Errors
+/// [`ContactError`] naming the field that is out of range, or another number of bodies than 1 or 2.
+pub fn interface_of(bodies: &[Body]) -> Result<Interface, ContactError> {
+    match bodies {
+        [body] => Interface::against_rigid(body),
+        [first, second] => Interface::between(first, second),
+        more => Err(ContactError::OutOfRange {
+            field: "the number of bodies",
+            value: f64::from(u32::try_from(more.len()).unwrap_or(u32::MAX)),
+            required: "1 or 2",
+        }),
+    }
+}
+
+impl Bodies {
+    /// The bodies from which an interface was made, if they give it, or else the interface.
+    #[must_use]
+    pub fn of(bodies: Vec<Body>, interface: Interface) -> Self {
+        let each = Self::each(bodies, interface.work_of_adhesion);
+        if each.interface().is_ok_and(|made| made == interface) {
+            each
+        } else {
+            Self::Interface(interface)
+        }
+    }
+
+    fn each(bodies: Vec<Body>, work_of_adhesion: Option<f64>) -> Self {
+        Self::Each { bodies, materials: [None; 2], work_of_adhesion }
+    }
+
+    /// The properties of both together.
+    ///
+    /// # Errors
+    /// Those of [`interface_of`].
+    pub fn interface(&self) -> Result<Interface, ContactError> {
+        match self {
+            Self::Each { bodies, work_of_adhesion, .. } => {
+                let mut made = interface_of(bodies)?;
+                made.work_of_adhesion = *work_of_adhesion;
+                Ok(made)
+            }
+            Self::Interface(interface) => Ok(*interface),
+        }
+    }
+
+    /// The bodies; none of an interface.
+    #[must_use]
+    pub fn list(&self) -> &[Body] {
+        match self {
+            Self::Each { bodies, .. } => bodies,
+            Self::Interface(_) => &[],
+        }
+    }
+
+    /// The section of the hardness.
+    pub(crate) fn section(&self) -> &'static str {
+        match self {
+            Self::Each { .. } => "body[1]",
+            Self::Interface(_) => "interface",
+        }
+    }
+}
+
+impl From<Description> for SurfaceSpec {
+    fn from(by: Description) -> Self {
+        Self { by, mean_plane_offset: None, peklenik_number: None }
+    }
+}
+
+impl SurfaceSpec {
+    pub(crate) fn scan(&self) -> Option<&Arc<Scan>> {
+        match &self.by {
+            Description::Scan(scan) => Some(scan),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn roughness(&self) -> Option<Roughness> {
+        match self.by {
+            Description::Numbers(roughness) => Some(roughness),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn drawing(&self) -> Option<&Drawing> {
+        match &self.by {
+            Description::Drawing(drawing) => Some(drawing),
+            _ => None,
+        }
+    }
+
+    /// The statistics of the scan of this surface.
+    pub(crate) fn measured(&self) -> Option<&Arc<Measured>> {
+        self.scan()?.measured.as_ref()
+    }
+
+    /// The moments of its profiles; none of aligned scans, and of numbers out of range.
+    pub(crate) fn moments(&self, interface: &Interface) -> Option<ProfileMoments> {
+        match &self.by {
+            Description::Numbers(one) => Some(one.moments(&one.surface(interface).ok()?)),
+            Description::Drawing(drawing) => drawing.moments().ok(),
+            Description::Scan(scan) => {
+                let statistics = &scan.measured.as_ref()?.statistics;
+                let (m0, m2, m4) = (statistics.m0, statistics.m2, statistics.m4);
+                Some(ProfileMoments { m0, m2, m4 })
+            }
+        }
+    }
+
+    /// The ranges of its numbers, where it is drawn and they are not taken at one place.
+    pub(crate) fn face(&self) -> Option<Face> {
+        self.drawing().filter(|drawing| drawing.at.is_none())?.face().ok()
+    }
+}
+
+impl HeightsSpec {
+    /// The heights of a table.
+    #[must_use]
+    pub fn of_table(table: TabulatedHeights) -> Self {
+        let distribution = HeightDistribution::other(table.clone());
+        Self { distribution, table: Some(Arc::new(table)), ..Self::default() }
+    }
+}
+
+impl From<HeightDistribution> for HeightsSpec {
+    fn from(distribution: HeightDistribution) -> Self {
+        Self { distribution, ..Self::default() }
+    }
+}
+
+impl SceneSpec {
+    /// A surface between bodies, with all other values by default.
+    #[must_use]
+    pub fn new(bodies: Bodies, surface: SurfaceSpec, nominal_area: f64) -> Self {
+        Self {
+            nominal_area,
+            bodies,
+            surface,
+            counterface: None,
+            pressed: None,
+            heights: HeightsSpec::default(),
+            separation_from: Datum::AsperityMean,
+            gas: None,
+            options: ModelOptions::default(),
+            accept: vec![],
+        }
+    }
+
+    /// The rough surfaces with their sections.
+    pub(crate) fn surfaces(&self) -> impl Iterator<Item = (&'static str, &SurfaceSpec)> {
+        [("surface", &self.surface)]
+            .into_iter()
+            .chain(self.counterface.as_ref().map(|one| (COUNTERFACE, one)))
+    }
+
+    /// The first surface, or the second.
+    pub(crate) fn surface_mut(&mut self, second: bool) -> Option<&mut SurfaceSpec> {
+        if second { self.counterface.as_mut() } else { Some(&mut self.surface) }
+    }
+
+    /// The scan that boundary elements press.
+    pub(crate) fn single_scan(&self) -> Option<&Arc<Scan>> {
+        let own = || self.surface.scan().filter(|_| self.counterface.is_none());
+        self.pressed.as_ref().or_else(own)
+    }
+
+    /// The scan that boundary elements press.
+    #[must_use]
+    pub fn scan(&self) -> Option<&Topography> {
+        Some(&self.single_scan()?.topography)
+    }
+
+    /// The numbers of the surface, from which its asperities follow: given, or of two surfaces by
+    /// numbers the sums of their moments.
+    #[must_use]
+    pub fn roughness(&self, scene: &Scene) -> Option<Roughness> {
+        let own = |one: &SurfaceSpec| one.roughness();
+        match (own(&self.surface)?, &self.counterface) {
+            (only, None) => Some(only).filter(|only| only.way.is_of_surface()),
+            (first, Some(second)) => {
+                let [one, two] = scene.pair?.surfaces;
+                let sum =
+                    first.moments(&one.asperities).plus(&own(second)?.moments(&two.asperities));
+                Some(Roughness::of_moments(sum))
+            }
+        }
+    }
+
+    /// The keys by which a single surface is described, from which its asperities follow.
+    pub(crate) fn follows_from(&self) -> &'static [&'static str] {
+        match &self.surface.by {
+            _ if self.surfaces().any(|(_, one)| one.drawing().is_some()) => &["ra"],
+            _ if self.surfaces().any(|(_, one)| one.scan().is_some()) => &[],
+            Description::Numbers(_) if self.counterface.is_some() => Way::Moments.keys(),
+            Description::Numbers(one) if one.way == Way::Asperities => &[],
+            Description::Numbers(one) => one.way.keys(),
+            _ => &[],
+        }
+    }
+}
