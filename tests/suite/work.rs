@@ -175,7 +175,7 @@ fn a_load_is_compiled_and_inverted_once() {
     assert!(inverted > 0 && spy.samples() == inverted, "{inverted} {}", spy.samples());
     let _ = Check::answers_of(&spy, &*contact, &[load]);
     let judged = spy.samples() - inverted;
-    contact.respond(&request);
+    let _ = contact.respond(&request);
     let answered = spy.samples() - inverted - judged;
     assert!(spy.asked() == laws, "compiled again for {:?}", spy.asked());
     // Without inversion, an answer takes its two integrals, at one separation.
