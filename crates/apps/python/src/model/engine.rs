@@ -290,7 +290,7 @@ pub(crate) fn models_among(
 ) -> PyResult<Vec<Model>> {
     let Some(engines) = engines else {
         let all = models(file, &[], SceneFile::models_beside_bem, quantities, sheet);
-        return Ok(all.map_err(value_error)?.into_iter().map(|(_, model)| model).collect());
+        return all.map_err(value_error);
     };
     let model = |engine: &Py<Engine>| {
         drop(engine.get().raised());
