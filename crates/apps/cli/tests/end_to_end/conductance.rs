@@ -118,6 +118,7 @@ gas_parameter = 0
     let open = 1.0 - of("area_fraction_pixels");
     let wanted = open * gap_conductance(0.026, of("mean_open_gap_m"), 0.0).unwrap();
     let found = column(&gas, "gap_conductance_per_area_W_per_m2_per_K")[0];
-    // The area of pixels is that of the contact and of a part of its edge.
-    assert!(open < 0.97 && (found / wanted - 1.0).abs() < 0.02, "{open}: {found} {wanted}");
+    // Pixels in contact cover more than the contact, by part of its edge. Without the open share,
+    // and in the mean gap, the gas conducts 1/open^2 times as much.
+    assert!((0.0..0.04).contains(&(found / wanted - 1.0)) && open < 0.93, "{found} {wanted}");
 }
