@@ -2,8 +2,9 @@
 //! conductance, of the paper's scene and of joints of two metals beside correlations.
 
 use anyhow::Result;
+use asperity::joints::Correlation;
 use asperity::joints::conductance::{
-    Correlation, CorrelationValue, GapRoughness, cooper_mikic_yovanovich, mikic_elastic,
+    CorrelationValue, GapRoughness, cooper_mikic_yovanovich, mikic_elastic,
 };
 use asperity::{At, Body, Interface, ProfileMoments, Quantity, Response, Scene, Surface};
 use asperity_plot::{Axis, Figure};
