@@ -21,7 +21,7 @@ fn the_examples_of_every_help_text_work_when_pasted() {
     let all = commands(&bench);
     for command in std::iter::once("").chain(all.iter().map(String::as_str)) {
         let help = bench.data(&format!("{command} --help"));
-        let (_, examples) = help.split_once("Examples:\n").expect("examples in every help text");
+        let (_, examples) = help.split_once("Examples:\n").expect("examples");
         let pasted: Vec<&str> = examples.lines().filter(|l| l.starts_with("  asperity ")).collect();
         assert!(!pasted.is_empty(), "{help}");
         let is_slow = |line: &&str| line.contains(" recommend ") || line.contains(" --compare ");

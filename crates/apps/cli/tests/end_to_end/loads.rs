@@ -116,7 +116,7 @@ fn cancellation_is_reported_with_its_error() {
     let run = |arguments: &str| bench.run(&format!("{arguments} --model at,jg,ke"));
     // Next to a zero crossing, as large a part of the force as of its parts moves it.
     let near = run("curve scene.toml --separation 3.4637,0 --quantity force");
-    let to = printed(&near.messages, "relative error of ", "\n");
+    let to = printed(&near.messages, "leave a relative error of ", "\n");
     assert!((1e-4..0.5).contains(&to), "{to}");
     assert!(near.messages.contains("[cancelled]"));
     assert_eq!(near.messages.matches("[cancelled]").count(), 1, "{}", near.messages);

@@ -42,7 +42,7 @@ fn the_walk_throughs_show_the_real_output() {
     }
     let readme = fs::read_to_string(folder.join("README.md")).unwrap();
     assert!(readme.contains(&format!("cd {EXAMPLES}")));
-    assert!(readme.split_whitespace().count() <= 1200, "the README is for one sitting");
+    assert!(readme.split_whitespace().count() <= 1200);
     for file in &files[..files.len() - 1] {
         let name = file.file_name().unwrap().to_str().unwrap();
         assert!(readme.contains(&format!("(tests/walkthrough/{name})")), "{name}");
@@ -59,7 +59,7 @@ fn replayed(bench: &Bench, readme: &str) -> String {
     let mut real = String::new();
     let mut rest = readme;
     while let Some((before, after)) = rest.split_once("```console\n") {
-        let (block, after) = after.split_once("```").expect("the end of a block");
+        let (block, after) = after.split_once("```").expect("its end");
         real.push_str(before);
         real.push_str("```console\n");
         for line in block.lines().filter_map(|line| line.strip_prefix("$ ")) {

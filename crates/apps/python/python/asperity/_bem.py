@@ -77,7 +77,7 @@ def bem(
         By the names that models have: "tangent" (or "stiffness"), the slope of first loading
         against the mean gap, and quantities of joints, "unloading-stiffness",
         "tangential-stiffness", "thermal-conductance", "electrical-conductance", the last two also
-        with "-per-area"; ``BemContacts.quantities`` has them. In those of joints the contact pixels
+        with "-per-area". In those of joints the contact pixels
         are held, so that interaction and shapes of contacts are included; with a free boundary
         their approach is that of distant points. Also "hydraulic-gap-x" and "hydraulic-gap-y" [m],
         the even gaps that let as much fluid pass along rows and along columns, 0 where no path is

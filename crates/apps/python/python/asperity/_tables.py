@@ -98,4 +98,5 @@ def export(
     beside = conductance, None if friction is None else float(friction)
     found = _asperity.contact_table(as_model(model), scene, ends, spacing, form, beside)
     columns, pressure_error, tangent_error, text = found
-    return ContactTable(*columns.values(), pressure_error, tangent_error, text)  # type: ignore[arg-type]
+    clearance, pressures, tangent = columns.values()
+    return ContactTable(clearance, pressures, tangent, pressure_error, tangent_error, text)
