@@ -3,9 +3,9 @@
 //! The layout follows the readers of Gwyddion, surfalize and sdfio, not the standard.
 
 use super::sample::Sample;
-use super::scan::{PixelSize, Scan, points, positive};
+use super::scan::{Scan, points, positive};
 use crate::error::refuse;
-use crate::{LengthUnit, TopographyError};
+use crate::{Distance, LengthUnit, TopographyError};
 
 /// Types of the heights by their number, and the names of these types in text.
 const TYPES: [&[u8; 2]; 8] = [b"u1", b"u2", b"u4", b"f4", b"i1", b"i2", b"i4", b"f8"];
@@ -33,7 +33,13 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let scale = positive("sdf Zscale", z)?;
     let heights = heights.into_iter().map(|height| height * scale).collect();
     let (columns, unit) = (header.columns as usize, Some(LengthUnit::Metre));
-    Ok(Scan { heights, columns, unit, pixel_size: PixelSize::Metres([dx, dy]), notes: vec![] })
+    Ok(Scan {
+        heights,
+        columns,
+        unit,
+        pixel_size: Some([dx, dy].map(Distance::metre)),
+        ..Scan::default()
+    })
 }
 
 /// The fields of a header. Lengths are in m.
