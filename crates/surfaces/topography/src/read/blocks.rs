@@ -39,8 +39,7 @@ pub(super) fn blocks(bytes: &[u8], options: &ReadOptions) -> Result<Vec<Block>, 
     // Keys of lines without a key, which follow a word.
     let mut keys = vec![];
     let mut blank = false;
-    let given = options.delimiter.and_then(|delimiter| u8::try_from(delimiter).ok()).map(Delimiter);
-    let detect = |line: &[u8]| given.unwrap_or_else(|| Delimiter::detect(line));
+    let detect = |line: &[u8]| options.delimiter.map_or_else(|| Delimiter::detect(line), Delimiter);
     let lines = bytes.split(|byte| *byte == b'\n').enumerate().skip(options.skip_lines);
     for (number, line) in lines.map(|(index, line)| (index + 1, line)) {
         let line = line.strip_suffix(b"\r").unwrap_or(line);
@@ -149,7 +148,14 @@ impl Block {
         for field in self.delimiter.fields(line) {
             let Some(value) = value(field, comma) else {
                 self.values.truncate(start);
-                return self.add_words(number, line, field, blank);
+                return Err(refuse_line(
+                    number,
+                    &text(field),
+                    match comma {
+                        true => "a finite number, or nan,",
+                        false => "a finite number with a decimal point, or nan,",
+                    },
+                ));
             };
             self.values.push(value);
         }
@@ -167,31 +173,6 @@ impl Block {
             self.gaps.push((start / self.columns, number));
         }
         at_most("the number of values in the text", self.values.len() as u64, 3 * MAX_POINTS as u64)
-    }
-
-    /// A row with a field that is no value, unless it is one of the words `No Data`, which spaces
-    /// separate.
-    fn add_words(
-        &mut self,
-        number: usize,
-        line: &[u8],
-        field: &[u8],
-        blank: bool,
-    ) -> Result<(), TopographyError> {
-        let lower = line.to_ascii_lowercase();
-        let words = b"no data";
-        if lower.windows(words.len()).any(|part| part == words) {
-            let line = text(&lower).replace("no data", "nan");
-            return self.add(number, line.as_bytes(), blank);
-        }
-        Err(refuse_line(
-            number,
-            &text(field),
-            match self.delimiter.decimal_comma() {
-                true => "a finite number, or nan,",
-                false => "a finite number with a decimal point, or nan,",
-            },
-        ))
     }
 
     /// The tables of equal size that blank lines separate, if there are several; rows of points and

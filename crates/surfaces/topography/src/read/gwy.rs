@@ -8,7 +8,7 @@ use asperity_core::Finding;
 
 use super::scan::{Scan, points, positive, select};
 use crate::error::{damaged, excerpt, refuse};
-use crate::{Distance, LengthUnit, TopographyError};
+use crate::{LengthUnit, TopographyError};
 
 const MAGIC: &[u8] = b"GWYP";
 
@@ -127,8 +127,7 @@ impl<'a> Field<'a> {
             let advice = "these points are read as missing; remove the mask to keep them";
             notes.push(Finding::note("mask", "masked_share", share).fact(text).advice(advice));
         }
-        let (columns, pixel_size) = (columns as usize, Some(pixel_size.map(Distance::metre)));
-        Ok(Scan { heights, columns, unit, pixel_size, notes, ..Scan::default() })
+        Ok(Scan { notes, ..Scan::new(heights, columns as usize, unit, pixel_size) })
     }
 
     fn numbers(&self, n: usize) -> Result<Vec<f64>, TopographyError> {

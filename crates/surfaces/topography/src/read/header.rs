@@ -8,7 +8,7 @@ use super::lines::{COMMENT, Delimiter};
 use super::scan::{ReadOptions, agree};
 use super::words::{meanings, named, number, quantities, unit_meaning};
 use crate::error::{refuse, refuse_line, undecided};
-use crate::{Distance, LengthUnit, TopographyError};
+use crate::{Distance, LengthUnit, MAX_POINTS, TopographyError};
 
 /// A line of the header of a text file.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -41,15 +41,8 @@ impl Entry {
         let (name, unit) = named(key);
         let (numbers, own) = quantities(words, separator);
         let unit = own.or(unit).map(str::to_owned);
-        let words = words.trim().trim_matches(['"', ',', ' ']).to_owned();
-        Self {
-            meanings: meanings("header", name),
-            line: 0,
-            text: text.into(),
-            numbers,
-            unit,
-            words,
-        }
+        let (text, words) = (text.into(), words.trim().trim_matches(['"', ',', ' ']).into());
+        Self { meanings: meanings("header", name), line: 0, text, numbers, unit, words }
     }
 
     pub(super) fn known(&self) -> bool {
@@ -60,7 +53,7 @@ impl Entry {
         refuse_line(self.line, &self.text, required)
     }
 
-    /// The number in this place of two, or else the last one, above 0.
+    /// The number of this place of two, or else the last one, above 0.
     fn positive(&self, at: usize, required: &str) -> Result<f64, TopographyError> {
         let two = self.numbers.get(at).filter(|_| self.numbers.len() == 2);
         let number = two.or(self.numbers.last()).copied();
@@ -68,9 +61,9 @@ impl Entry {
         positive.ok_or_else(|| self.wrong(required))
     }
 
-    fn length_unit(&self) -> Result<Option<LengthUnit>, TopographyError> {
-        let length = |unit: &String| unit.parse().map_err(|_| self.wrong("a unit of length"));
-        self.unit.as_ref().map(length).transpose()
+    /// The unit of length that a text states.
+    fn length_unit(&self, text: &str) -> Result<LengthUnit, TopographyError> {
+        text.parse().map_err(|_| self.wrong("a unit of length"))
     }
 
     /// Whether the numbers count points.
@@ -84,29 +77,27 @@ pub(super) fn entry(text: &str, delimiter: Delimiter) -> Option<Entry> {
     let bare = text.trim_start_matches(COMMENT).trim_start_matches([' ', '"', '*', '\\', '/']);
     // Some keys stand alone or have a word for a value.
     let wordy = |entry: &Entry| {
-        let word = |key: &&str| key.contains('=') || key.starts_with("unit") || *key == "name";
-        entry.meanings.iter().any(|key| word(key) || matches!(*key, "scaled" | "mark"))
+        let prefixes = ["unit", "name", "scaled", "mark"];
+        let word = |key: &&str| key.contains('=') || prefixes.iter().any(|p| key.starts_with(p));
+        entry.meanings.iter().any(word)
     };
     let assigned = bare.split_once([':', '=', '\u{ff1a}']);
     let assigned = assigned.map(|(key, words)| Entry::new(bare, key, words, '\t'));
     let parts = ['\t', ';', char::from(delimiter.0), ','].into_iter().filter(|part| *part != ' ');
-    let mut parted = parts.filter_map(|part| {
+    let parted = parts.filter_map(|part| {
         let (key, words) = bare.split_once(part)?;
-        Some(Entry::new(bare, key, words, part))
+        let entry = Entry::new(bare, key, words, part);
+        Some(entry).filter(|entry| wordy(entry) || !entry.numbers.is_empty())
     });
-    let mut spaced = bare.match_indices([' ', '\t']).take(9).filter_map(|(at, _)| {
+    let spaced = bare.match_indices([' ', '\t']).take(9).filter_map(|(at, _)| {
         let (key, words) = bare.split_at(at);
         number(words.split_whitespace().next()?)?;
         Some(Entry::new(bare, key, words, '\t'))
     });
-    match assigned {
-        Some(entry) if entry.known() => Some(entry),
-        assigned => parted
-            .find(|entry| entry.known() && (wordy(entry) || !entry.numbers.is_empty()))
-            .or_else(|| spaced.find(Entry::known))
-            .or_else(|| Some(Entry::new(bare, bare, "", ' ')).filter(wordy))
-            .or(assigned),
-    }
+    let alone = Some(Entry::new(bare, bare, "", ' ')).filter(wordy);
+    let known =
+        assigned.iter().cloned().chain(parted).chain(spaced).chain(alone).find(Entry::known);
+    known.or(assigned)
 }
 
 /// The header above a table.
@@ -121,105 +112,110 @@ impl Header {
     pub(super) fn read(lines: &[(usize, String)], delimiter: Delimiter) -> Self {
         let mut header = Self::default();
         for (line, text) in lines {
-            let mut meaning = None;
-            if let Some(entry) = entry(text, delimiter) {
-                for key in entry.meanings {
-                    let mut entry = Entry { line: *line, ..entry.clone() };
-                    let (key, implied) = key.split_at(key.find(['=', '@']).unwrap_or(key.len()));
-                    if let Some(value) = implied.strip_prefix('=') {
-                        let numbers = value.parse().into_iter().collect();
-                        entry = Entry { numbers, words: value.into(), ..entry };
-                    } else if let Some(unit) = implied.strip_prefix('@') {
-                        entry.unit = Some(unit.into());
-                    }
-                    header.entries.entry(key).or_insert(entry);
-                    meaning = meaning.or(Some(key));
+            let found = entry(text, delimiter);
+            let name = |key: &'static str| key.split(['=', '@']).next();
+            let meaning = found.iter().flat_map(|entry| entry.meanings).copied().find_map(name);
+            for (key, entry) in
+                found.iter().flat_map(|entry| entry.meanings.iter().map(move |key| (*key, entry)))
+            {
+                let mut entry = Entry { line: *line, ..entry.clone() };
+                if let Some((_, value)) = key.split_once('=') {
+                    (entry.words, entry.numbers) =
+                        (value.into(), value.parse().into_iter().collect());
+                } else if let Some((_, unit)) = key.split_once('@') {
+                    entry.unit = Some(unit.into());
                 }
+                header.entries.entry(name(key).unwrap_or(key)).or_insert(entry);
             }
             header.lines.push(HeaderLine { line: *line, text: text.clone(), meaning });
         }
         header
     }
 
+    pub(super) fn has(&self, meaning: &str) -> bool {
+        self.entries.contains_key(meaning)
+    }
+
+    /// The entry of the first of these meanings that the header has.
+    fn find<const N: usize>(&self, meanings: [&str; N]) -> Option<&Entry> {
+        meanings.into_iter().find_map(|meaning| self.entries.get(meaning))
+    }
+
     /// The name of the channel.
     pub(super) fn name(&self) -> Option<&str> {
-        self.entries.get("name").map(|entry| entry.words.as_str())
+        self.find(["name"]).map(|entry| entry.words.as_str())
+    }
+
+    /// Whether the factor of the heights has a unit, to which it leads.
+    pub(super) fn has_unit_of_factor(&self) -> bool {
+        self.find(["factor"]).is_some_and(|entry| entry.unit.is_some())
     }
 
     /// The unit that the header states for the heights, after their factor.
     pub(super) fn unit(&self) -> Result<Option<LengthUnit>, TopographyError> {
-        if let Some(unit) = self.entries.get("factor").and_then(|entry| entry.unit.as_ref()) {
-            return unit.parse().map(Some);
+        if let Some((entry, unit)) =
+            self.find(["factor"]).and_then(|entry| Some((entry, entry.unit.as_ref()?)))
+        {
+            return entry.length_unit(unit).map(Some);
         }
-        let Some(entry) = self.entries.get("unit") else { return Ok(None) };
         let required = "a unit of length, or a conversion factor of the heights,";
-        entry.words.parse().map(Some).map_err(|_| entry.wrong(required))
+        let unit = |entry: &Entry| entry.words.parse().map_err(|_| entry.wrong(required));
+        self.find(["unit"]).map(unit).transpose()
     }
 
-    /// Whether the factor of the header states the unit it leads to.
-    pub(super) fn has_unit_of_factor(&self) -> bool {
-        self.entries.get("factor").is_some_and(|entry| entry.unit.is_some())
-    }
-
-    /// The factor of the heights, which leads to their unit; `unit` is known otherwise.
+    /// The factor of the heights, which leads to their unit; `unit` tells whether that is known.
     pub(super) fn factor(&self, unit: bool) -> Result<Option<f64>, TopographyError> {
         // Nova writes `No` where heights are in their unit, Wyko 1 as the second of three flags.
         let scaled = |entry: &Entry| {
             entry.words.eq_ignore_ascii_case("no") || entry.numbers.get(1) == Some(&1.0)
         };
-        if self.entries.get("scaled").is_some_and(scaled) {
+        if self.find(["scaled"]).is_some_and(scaled) {
             return Ok(None);
         }
         let required = "the factor from the heights to a unit of length, as in (-> m)=1e-9,";
-        let of = |key| self.entries.get(key).map(|entry| entry.positive(usize::MAX, required));
-        if let (Some(wavelength), Some(divisor)) = (of("wavelength"), of("divisor")) {
-            return Ok(Some(wavelength? / divisor?));
+        if let (Some(wavelength), Some(divisor)) =
+            (self.find(["wavelength"]), self.find(["divisor"]))
+        {
+            return Ok(Some(wavelength.positive(9, required)? / divisor.positive(9, required)?));
         }
-        let Some(entry) = self.entries.get("factor") else { return Ok(None) };
-        let factor = entry.numbers.last().copied().filter(|factor| factor.is_finite());
-        let known = unit || entry.length_unit()?.is_some();
-        factor.filter(|_| known).map(Some).ok_or_else(|| entry.wrong(required))
+        let Some(entry) = self.find(["factor"]) else { return Ok(None) };
+        let factor = entry.numbers.last().copied().filter(|factor| unit && factor.is_finite());
+        factor.map(Some).ok_or_else(|| entry.wrong(required))
     }
 
     /// The numbers that mark missing points.
     pub(super) fn missing(&self) -> &[f64] {
-        self.entries.get("missing").map_or(&[], |entry| &entry.numbers)
-    }
-
-    /// Whether the first line of the file is the last row.
-    pub(super) fn downwards(&self) -> bool {
-        self.entries.contains_key("downwards")
-    }
-
-    /// Whether a line of the file is a column.
-    pub(super) fn by_columns(&self) -> bool {
-        self.entries.contains_key("lines x")
+        self.find(["missing"]).map_or(&[], |entry| &entry.numbers)
     }
 
     /// Whether it states a width, which positions in columns would repeat.
     pub(super) fn has_size(&self) -> bool {
-        ["width", "height", "size"].iter().any(|key| self.entries.contains_key(key))
+        self.find(["width", "height", "size"]).is_some()
     }
 
     /// The number of columns and of rows.
     pub(super) fn points(&self) -> Result<[Option<usize>; 2], TopographyError> {
-        let mut points = [None; 2];
-        for (axis, point) in points.iter_mut().enumerate() {
-            let keys = [["points x", "lines x"], ["points y", ""]][axis];
-            let own = keys.iter().find_map(|key| self.entries.get(key)).or_else(|| {
-                let counted = self.entries.get(["width", "height"][axis]);
-                counted.filter(|entry| entry.counts())
-            });
-            let both = self.entries.get("points").filter(|entry| entry.numbers.len() > 1);
-            let Some(entry) = own.or(both) else { continue };
-            let required = "a number of points";
-            let number = entry.positive(if own.is_some() { usize::MAX } else { axis }, required)?;
-            if number.fract() != 0.0 || number > crate::MAX_POINTS as f64 {
-                return Err(entry.wrong(required));
-            }
-            *point = Some(number as usize);
+        let count = |axis: usize| {
+            let own = self.find([["points x", "lines x"], ["points y", "points y"]][axis]);
+            let size = || self.find([["width"], ["height"]][axis]).filter(|entry| entry.counts());
+            let both = || self.find(["points"]).filter(|entry| entry.numbers.len() == 2);
+            let Some(entry) = own.or_else(size).or_else(both) else { return Ok(None) };
+            let number = entry.positive(axis, "a number of points")?;
+            let whole = number.fract() == 0.0 && number <= MAX_POINTS as f64;
+            whole.then_some(Some(number as usize)).ok_or_else(|| entry.wrong("a number of points"))
+        };
+        Ok([count(0)?, count(1)?])
+    }
+
+    /// Refuses a table of another size than the header states.
+    pub(super) fn check(&self, found: [usize; 2]) -> Result<(), TopographyError> {
+        let stated = self.points()?;
+        if stated.iter().zip(found).all(|(stated, found)| stated.is_none_or(|n| n == found)) {
+            return Ok(());
         }
-        Ok(points)
+        let [x, y] = stated.map(|n| n.map_or("?".to_owned(), |n| n.to_string()));
+        let required = format!("the {} x {} of the table", found[0], found[1]);
+        Err(refuse("header", format!("{x} x {y} points"), required))
     }
 
     /// The unit of lengths along an axis.
@@ -229,23 +225,19 @@ impl Header {
         options: &ReadOptions,
     ) -> Result<Option<LengthUnit>, TopographyError> {
         let keys = [["unit x", "unit xy", "unit y"], ["unit y", "unit x", "unit xy"]][axis];
-        let entry = keys.iter().find_map(|key| self.entries.get(key));
-        let unit = |entry: &Entry| entry.words.parse().map_err(|_| entry.wrong("a unit of length"));
-        agree("units", options.lateral(axis), entry.map(unit).transpose()?)
+        let unit = self.find(keys).map(|entry| entry.length_unit(&entry.words)).transpose()?;
+        agree("units", options.lateral(axis), unit)
     }
 
     /// The distance of points along the axes of a table of this many columns and rows.
     pub(super) fn pixel_size(
         &self,
-        counts: [usize; 2],
+        [columns, rows]: [usize; 2],
         options: &ReadOptions,
     ) -> Result<Option<[Distance; 2]>, TopographyError> {
-        let [x, y] = [self.side(0, counts[0], options)?, self.side(1, counts[1], options)?];
-        Ok(match (x, y) {
-            (Some(x), Some(y)) => Some([x, y]),
-            (Some(x), None) if counts[1] == 1 => Some([x; 2]),
-            _ => None,
-        })
+        let [x, y] = [self.side(0, columns, options)?, self.side(1, rows, options)?];
+        let y = y.or(x.filter(|_| rows == 1));
+        Ok(x.zip(y).map(|(x, y)| [x, y]))
     }
 
     fn side(
@@ -255,52 +247,37 @@ impl Header {
         options: &ReadOptions,
     ) -> Result<Option<Distance>, TopographyError> {
         let lateral = self.lateral(axis, options)?;
-        let find = |keys: [&str; 2]| self.entries.get(keys[0]).or(self.entries.get(keys[1]));
-        let size = find([["width", "size"], ["height", "size"]][axis]);
+        let unit = |entry: &Entry| match &entry.unit {
+            Some(unit) => entry.length_unit(unit).map(Some),
+            None => Ok(lateral),
+        };
+        let size = self.find([["width", "size"], ["height", "size"]][axis]);
         if let Some(entry) = size.filter(|entry| !entry.counts()) {
             let length = entry.positive(axis, "a length, for example 10 um,")?;
-            match entry.length_unit()?.or(lateral) {
+            match unit(entry)? {
                 Some(unit) => return Ok(Some(Distance::metre(length * unit.metres() / n as f64))),
                 // The number of points.
                 None if length.total_cmp(&(n as f64)).is_eq() => {}
                 None => return Err(no_unit(format!("line {}", entry.line), &entry.text)),
             }
         }
-        if let Some(entry) = find([["step x", "step"], ["step y", "step"]][axis]) {
-            let value = entry.positive(axis, "a length above 0")?;
-            let aspect = self.entries.get("aspect").filter(|_| axis == 0);
-            let aspect = aspect.map_or(Ok(1.0), |entry| entry.positive(0, "a ratio"))?;
-            let unit = entry.length_unit()?.or(lateral);
-            return Ok(Some(Distance { value: value * aspect, unit }));
+        if let Some(entry) = self.find([["step x", "step"], ["step y", "step"]][axis]) {
+            let aspect = self.find(["aspect"]).filter(|_| axis == 0);
+            let aspect = aspect.map_or(Ok(1.0), |entry| entry.positive(9, "a ratio"))?;
+            let value = aspect * entry.positive(axis, "a length above 0")?;
+            return Ok(Some(Distance { value, unit: unit(entry)? }));
         }
-        let Some(entry) = self.entries.get(["range x", "range y"][axis]) else { return Ok(None) };
-        match entry.numbers[..] {
-            [first, last] if last > first && (last - first).is_finite() && n > 1 => {
-                Ok(Some(Distance { value: (last - first) / (n - 1) as f64, unit: lateral }))
-            }
-            _ => Err(entry.wrong("the first and the last position")),
-        }
-    }
-
-    /// Refuses a table of another size than the header states.
-    pub(super) fn check(&self, found: [usize; 2]) -> Result<(), TopographyError> {
-        let stated = self.points()?;
-        let other = |(stated, found): (Option<usize>, usize)| stated.is_some_and(|n| n != found);
-        if stated.into_iter().zip(found).any(other) {
-            let [x, y] = stated.map(|n| n.map_or("?".to_owned(), |n| n.to_string()));
-            let required = format!("the {} x {} of the table", found[0], found[1]);
-            return Err(refuse("header", format!("{x} x {y} points"), required));
-        }
-        Ok(())
+        let Some(entry) = self.find([["range x"], ["range y"]][axis]) else { return Ok(None) };
+        let [first, last] = entry.numbers[..] else { return Err(entry.wrong("two positions")) };
+        let value = (last - first) / (n.max(2) - 1) as f64;
+        let usable = value > 0.0 && value.is_finite();
+        let size = usable.then_some(Some(Distance { value, unit: lateral }));
+        size.ok_or_else(|| entry.wrong("two rising positions"))
     }
 }
 
 /// The error of a length that has no unit.
 pub(super) fn no_unit(place: String, found: &str) -> TopographyError {
-    undecided(
-        place,
-        format!("{found} has no unit"),
-        "units",
-        "those of lengths and heights, as um,nm",
-    )
+    let choice = "those of lengths and heights, as um,nm";
+    undecided(place, format!("{found} has no unit"), "units", choice)
 }

@@ -8,7 +8,8 @@ use crate::error::refuse_line;
 /// Bytes at the beginning of a line that is a comment.
 pub(super) const COMMENT: [char; 7] = ['#', '%', '\\', '/', '*', '!', ';'];
 
-/// The text without its mark, in UTF-8 or Latin 1, with the line ends of Unix.
+/// The text without its mark, in UTF-8 or Latin 1, with the line ends of Unix and `No Data` as one
+/// word.
 pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, [u8]>, TopographyError> {
     let mut text: Cow<'_, [u8]> = match bytes {
         [0xef, 0xbb, 0xbf, rest @ ..] => rest.into(),
@@ -19,6 +20,15 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, [u8]>, TopographyError> {
     // Old Macs
     if !text.contains(&b'\n') && text.contains(&b'\r') {
         text.to_mut().iter_mut().filter(|byte| **byte == b'\r').for_each(|byte| *byte = b'\n');
+    }
+    // Spaces would separate these words.
+    const NO_DATA: &[u8] = b"no data";
+    let is_mark = |part: &[u8]| part.eq_ignore_ascii_case(NO_DATA);
+    let mut done = 0;
+    while let Some(ahead) = text[done..].windows(NO_DATA.len()).position(is_mark) {
+        let at = done + ahead;
+        done = at + NO_DATA.len();
+        text.to_mut()[at..done].copy_from_slice(b" nodata");
     }
     Ok(text)
 }

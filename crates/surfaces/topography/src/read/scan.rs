@@ -37,15 +37,14 @@ pub struct ReadOptions {
     pub columns: Option<String>,
     /// The number of lines at the beginning of a text that are not read.
     pub skip_lines: usize,
-    /// The number, in the unit of the heights, that marks missing points; NaN if none does, although
-    /// it seems so.
+    /// The number that marks missing points in the file; NaN if none does, although it seems so.
     pub missing: Option<f64>,
     /// The factor from the numbers in the file to heights in their unit. A factor stated in the
     /// file must agree.
     pub factor: Option<f64>,
-    /// The separator of the fields of a text: one ASCII character, a space for any number of
-    /// blanks. By default that of the first row.
-    pub delimiter: Option<char>,
+    /// The separator of the fields of a text, in ASCII; a space stands for any number of blanks. By
+    /// default that of the first row.
+    pub delimiter: Option<u8>,
 }
 
 impl ReadOptions {
@@ -59,17 +58,12 @@ impl ReadOptions {
         if !(0.0..=1.0).contains(&self.max_missing) {
             return Err(out_of_range("max_missing", self.max_missing, "a share from 0 to 1"));
         }
-        match (self.factor, &self.units, self.delimiter) {
-            (Some(factor), ..) if factor == 0.0 || !factor.is_finite() => {
-                Err(out_of_range("factor", factor, "a finite number other than 0"))
-            }
-            (_, Some(units), _) if !matches!(units.len(), 2 | 3) => {
-                Err(out_of_range("the number of units", units.len() as f64, "2 or 3"))
-            }
-            (.., Some(delimiter)) if !delimiter.is_ascii() => {
-                Err(out_of_range("delimiter", u32::from(delimiter).into(), "an ASCII character"))
-            }
-            _ => Ok(()),
+        if let Some(factor) = self.factor.filter(|factor| *factor == 0.0 || !factor.is_finite()) {
+            return Err(out_of_range("factor", factor, "a finite number other than 0"));
+        }
+        match self.units.as_ref().map(Vec::len) {
+            None | Some(2 | 3) => Ok(()),
+            Some(n) => Err(out_of_range("the number of units", n as f64, "2 or 3")),
         }
     }
 
@@ -120,6 +114,17 @@ pub(super) struct Scan {
 }
 
 impl Scan {
+    /// Heights in a unit, at distances in m.
+    pub(super) fn new(
+        heights: Vec<f64>,
+        columns: usize,
+        unit: Option<LengthUnit>,
+        pixel_size: [f64; 2],
+    ) -> Self {
+        let pixel_size = Some(pixel_size.map(Distance::metre));
+        Self { heights, columns, unit, pixel_size, ..Self::default() }
+    }
+
     /// The surface in metres.
     pub(super) fn topography(self, options: &ReadOptions) -> Result<Topography, TopographyError> {
         let named = self.unit(options)?;
@@ -256,6 +261,12 @@ pub(super) fn positive<T: Into<f64> + Display + Copy>(
     let value = found.into();
     let wrong = || refuse(field, found, "a finite number above 0");
     (value.is_finite() && value > 0.0).then_some(value).ok_or_else(wrong)
+}
+
+/// Rows as columns.
+pub(super) fn transposed(heights: &[f64], columns: usize) -> Vec<f64> {
+    let rows = heights.len() / columns;
+    (0..heights.len()).map(|at| heights[at % rows * columns + at / rows]).collect()
 }
 
 /// Reverses every row.

@@ -5,7 +5,7 @@
 use super::sample::Sample;
 use super::scan::{Scan, points, positive};
 use crate::error::refuse;
-use crate::{Distance, LengthUnit, TopographyError};
+use crate::{LengthUnit, TopographyError};
 
 /// Types of the heights by their number, and the names of these types in text.
 const TYPES: [&[u8; 2]; 8] = [b"u1", b"u2", b"u4", b"f4", b"i1", b"i2", b"i4", b"f8"];
@@ -32,14 +32,8 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let dy = if header.rows == 1 { dx } else { positive("sdf Yscale", y)? };
     let scale = positive("sdf Zscale", z)?;
     let heights = heights.into_iter().map(|height| height * scale).collect();
-    let (columns, unit) = (header.columns as usize, Some(LengthUnit::Metre));
-    Ok(Scan {
-        heights,
-        columns,
-        unit,
-        pixel_size: Some([dx, dy].map(Distance::metre)),
-        ..Scan::default()
-    })
+    let unit = Some(LengthUnit::Metre);
+    Ok(Scan::new(heights, header.columns as usize, unit, [dx, dy]))
 }
 
 /// The fields of a header. Lengths are in m.

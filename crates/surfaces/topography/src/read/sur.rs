@@ -13,7 +13,7 @@ use super::lines::text;
 use super::sample::Sample;
 use super::scan::{DEFLATE_RATIO, Scan, mirror_columns, mirror_rows, points, positive, select};
 use crate::error::{damaged, refuse};
-use crate::{Distance, LengthUnit, TopographyError};
+use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"DIGITAL SURF";
 pub(super) const COMPRESSED: &[u8] = b"DSCOMPRESSED";
@@ -151,15 +151,7 @@ impl<'a> Object<'a> {
                 .fact("the file marks its heights as inverted, and they are turned over")
                 .advice("check the sign of the skewness, because programs differ here")
         }));
-        let pixel_size = Some(pixel_size.map(Distance::metre));
-        Ok(Scan {
-            heights,
-            columns: *columns,
-            unit: Some(unit),
-            pixel_size,
-            notes,
-            ..Scan::default()
-        })
+        Ok(Scan { notes, ..Scan::new(heights, *columns, Some(unit), pixel_size) })
     }
 }
 

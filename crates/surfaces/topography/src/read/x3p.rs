@@ -13,7 +13,7 @@ use super::scan::{DEFLATE_RATIO, Scan, mirror_columns, mirror_rows, points};
 use super::x3p_xml::{Data, Description};
 
 use crate::error::{damaged, excerpt, refuse};
-use crate::{Distance, LengthUnit, TopographyError};
+use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
 /// The largest size of `main.xml` \[bytes\].
@@ -81,14 +81,16 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
         let placed = |point: &&[f64]| point.iter().take(2).all(|place| !place.is_nan());
         let placed = numbers.chunks(3).filter(placed).flatten().copied().collect();
         let (heights, columns, pixel_size) = grid(placed)?;
-        let pixel_size = Some(pixel_size.map(Distance::metre));
-        return Ok(Scan { heights, columns, unit, pixel_size, ..Scan::default() });
+        return Ok(Scan::new(heights, columns, unit, pixel_size));
     }
     let [Some(dx), Some(dy)] = description.increments else {
         let points = numbers.chunks(2).filter(|point| point.iter().all(|number| !number.is_nan()));
         let (places, heights) = points.map(|point| (point[0], point[1])).unzip();
         let (scan, step) = profile(places, heights)?;
-        return Ok(Scan { unit, pixel_size: Some([step; 2].map(Distance::metre)), ..scan });
+        return Ok(Scan {
+            notes: scan.notes,
+            ..Scan::new(scan.heights, scan.columns, unit, [step; 2])
+        });
     };
     let columns = columns as usize;
     if dx < 0.0 {
@@ -97,8 +99,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     if dy < 0.0 {
         mirror_rows(&mut numbers, columns);
     }
-    let pixel_size = Some([dx.abs(), dy.abs()].map(Distance::metre));
-    Ok(Scan { heights: numbers, columns, unit, pixel_size, ..Scan::default() })
+    Ok(Scan::new(numbers, columns, unit, [dx.abs(), dy.abs()]))
 }
 
 /// The folder of `main.xml` within the archive, and its text.

@@ -89,7 +89,7 @@ fn options(text: &str) -> ReadOptions {
             "missing" => options.missing = Some(value.parse().unwrap()),
             "factor" => options.factor = Some(value.parse().unwrap()),
             "channel" => options.channel = Some(value.into()),
-            "delimiter" => options.delimiter = value.chars().next(),
+            "delimiter" => options.delimiter = value.bytes().next(),
             _ => panic!("{key}"),
         }
     }
