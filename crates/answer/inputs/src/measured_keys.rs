@@ -77,7 +77,7 @@ impl MeasuredKeys {
     /// With these options of reading.
     #[must_use]
     pub fn reading(self, options: ReadOptions) -> Self {
-        let ReadOptions { unit, pixel_size, max_missing, channel } = options;
+        let ReadOptions { unit, pixel_size, max_missing, channel, .. } = options;
         let pixel_size = pixel_size.map(PixelSize::Rectangle);
         Self { unit, pixel_size, max_missing: Some(max_missing), channel, ..self }
     }
@@ -90,7 +90,8 @@ impl MeasuredKeys {
             PixelSize::Rectangle(sides) => sides,
         });
         let max_missing = self.max_missing.unwrap_or(ReadOptions::default().max_missing);
-        ReadOptions { unit: self.unit, pixel_size, max_missing, channel: self.channel.clone() }
+        let (unit, channel) = (self.unit, self.channel.clone());
+        ReadOptions { unit, pixel_size, max_missing, channel, ..ReadOptions::default() }
     }
 
     /// The scan without outliers, if they are replaced.

@@ -66,7 +66,7 @@ impl Topography {
         channel: Option<String>,
     ) -> PyResult<Self> {
         let (unit, pixel_size) = (unit.map(unit_of).transpose()?, pixel_size.map(|size| size.0));
-        let options = ReadOptions { unit, pixel_size, max_missing, channel };
+        let options = ReadOptions { unit, pixel_size, max_missing, channel, ..Default::default() };
         found(&path)?;
         let read = py.detach(|| asperity_topography::read(&path, &options));
         Ok(Self(read.map_err(unreadable)?))

@@ -21,12 +21,16 @@ const LOCAL: f64 = 2.0;
 const GLOBAL: f64 = 4.0;
 /// The share of the points that may be further outside than the body of the surface.
 const TAIL: f64 = 0.01;
+/// More outliers than that are themselves in the body: this many times the median distance of
+/// points from the mean of two neighbours is enough.
+const USUAL: f64 = 20.0;
 /// Distances below this share of the largest height are rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 impl Topography {
     /// The outliers of the surface: points that lie outside their neighbours (5 x 5, in a profile
-    /// 17) by twice the range of these, and by four times what 99 % of all points do. Up to four
+    /// 17) by twice the range of these, and by four times what 99 % of all points do or by
+    /// twenty times the median distance of points from the mean of two neighbours. Up to four
     /// adjacent points (in a profile three) are found; larger ones are features. The least-squares
     /// plane is ignored. None are found where a point has fewer than 12 measured neighbours.
     ///
@@ -92,7 +96,9 @@ impl Topography {
             body = candidates.select_nth_unstable_by(tail, by_distance).1.outside();
         }
         let largest = flat.heights().iter().fold(0.0, |largest, z| f64::max(largest, z.abs()));
-        let floor = (GLOBAL * body).max(ROUNDING * largest);
+        let rounding = ROUNDING * largest;
+        let usual = usual_distance(&flat, rounding);
+        let floor = (GLOBAL * body).min(USUAL * usual).max(rounding);
         candidates.retain(|one| one.outside() > floor && one.outside() > LOCAL * one.range);
         candidates.sort_by_key(|one| one.at);
         let furthest = candidates.iter().max_by(|a, b| a.outside().total_cmp(&b.outside()));
@@ -103,6 +109,28 @@ impl Topography {
             ..Outliers::default()
         }
     }
+}
+
+/// The median distance of points from the mean of the points before and after them, along rows or
+/// columns, whichever is larger; at least the step of heights, which is above `rounding`.
+fn usual_distance(surface: &Topography, rounding: f64) -> f64 {
+    let (heights, columns) = (surface.heights(), surface.columns());
+    let (mut usual, mut step) = (0.0, f64::INFINITY);
+    for stride in [1, columns] {
+        let inside = |at: &usize| stride > 1 || (at + 1) % columns > 1;
+        let places = (stride..heights.len().saturating_sub(stride)).filter(inside);
+        let off =
+            |at: usize| (heights[at] - 0.5 * (heights[at - stride] + heights[at + stride])).abs();
+        let mut distances: Vec<f64> =
+            places.map(off).filter(|distance| !distance.is_nan()).collect();
+        step =
+            distances.iter().copied().filter(|distance| *distance > rounding).fold(step, f64::min);
+        let middle = distances.len() / 2;
+        if !distances.is_empty() {
+            usual = f64::max(usual, *distances.select_nth_unstable_by(middle, f64::total_cmp).1);
+        }
+    }
+    if usual > rounding || step.is_infinite() { usual } else { step }
 }
 
 /// A point outside its neighbours.

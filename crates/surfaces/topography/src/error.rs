@@ -8,8 +8,17 @@ use asperity_core::ContactError;
 use serde::de::value::{self, StrDeserializer};
 use serde::de::{DeserializeOwned, IntoDeserializer};
 
-/// The command that converts a file of another format.
-const CONVERSION: &str = "SurfaceTopography (PyPI) converts many formats: python3 -c \"import SurfaceTopography as s; s.read_topography('FILE').to_gwy('FILE.gwy')\"";
+
+/// How a program converts a file of another format.
+fn conversion(converter: Option<&str>) -> &'static str {
+    match converter {
+        Some("SurfaceTopography") => {
+            "; SurfaceTopography (PyPI) converts it: python3 -c \"import SurfaceTopography as s; s.read_topography('FILE').to_gwy('FILE.gwy')\""
+        }
+        Some("Gwyddion") => "; Gwyddion reads it and saves it as .gwy",
+        _ => "",
+    }
+}
 
 /// An error in reading or measuring a surface.
 #[derive(Debug, thiserror::Error)]
@@ -38,15 +47,19 @@ pub enum TopographyError {
     },
     /// A binary file of unknown format.
     #[error(
-        "the file is binary and of unknown format: text, .npy, .x3p, .sur, .gwy or .sdf was required; {}",
-        CONVERSION
+        "the file is binary and of unknown format: text, .npy, .x3p, .sur, .gwy or .sdf was required"
     )]
     UnknownFormat,
     /// A file in the format of an instrument, without a reader.
-    #[error("the file is in the format {format}, which has no reader here; {}", CONVERSION)]
+    #[error(
+        "the file is in the format {format}, which has no reader here{}",
+        conversion(*converter)
+    )]
     ForeignFormat {
         /// The name of the format.
         format: &'static str,
+        /// The program that converts it, if one does.
+        converter: Option<&'static str>,
     },
     /// A picture, which has colours and no heights.
     #[error(
@@ -75,6 +88,18 @@ pub enum TopographyError {
         found: String,
         /// The value required.
         required: String,
+    },
+    /// A file that can be read in several ways.
+    #[error("{place}: {found}; give {option}: {choices}")]
+    Undecided {
+        /// The line, table or column.
+        place: String,
+        /// What has several meanings.
+        found: String,
+        /// The option that decides.
+        option: &'static str,
+        /// Its values.
+        choices: String,
     },
     /// A file whose parts do not fit together.
     #[error("the file is damaged or not in the format {format}: {reason}")]
@@ -276,6 +301,16 @@ pub(crate) fn refuse(
 ) -> TopographyError {
     let found = excerpt(&found.to_string());
     TopographyError::Content { place: place.to_string(), found, required: required.to_string() }
+}
+
+/// A part of a file that an option has to decide.
+pub(crate) fn undecided(
+    place: String,
+    found: String,
+    option: &'static str,
+    choices: &str,
+) -> TopographyError {
+    TopographyError::Undecided { place, found, option, choices: choices.to_owned() }
 }
 
 /// A file that is not in the format that it seems to have.

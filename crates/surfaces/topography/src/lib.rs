@@ -39,7 +39,7 @@ pub use pair::Alignment;
 pub use parameters::Parameters;
 pub use power_law::PowerLaw;
 pub use profile_elements::ProfileElements;
-pub use read::{MAX_FILE_BYTES, ReadOptions, read, read_bytes};
+pub use read::{HeaderLine, MAX_FILE_BYTES, ReadOptions, read, read_bytes, read_header};
 pub use slopes::{AtDistance, Texture};
 pub use spectrum::{PowerSpectrum, Spectra};
 pub use statistics::{Estimator, Statistics};

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::TopographyError;
 use crate::error::{excerpt, parse_name};
+use crate::read::{quantities, unit_meaning};
 
 /// A unit of length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -60,64 +61,10 @@ impl fmt::Display for LengthUnit {
 impl FromStr for LengthUnit {
     type Err = TopographyError;
 
-    /// The unit of a symbol, or of a name in English or German.
+    /// The unit of a symbol or a name, as files have them: `µm`, `"Micrometer"`, `microns.`.
     fn from_str(name: &str) -> Result<Self, TopographyError> {
-        let lower = name.trim().to_lowercase();
-        let symbol = match lower.strip_suffix('s').unwrap_or(&lower) {
-            "meter" | "metre" => "m",
-            "centimeter" | "centimetre" => "cm",
-            "millimeter" | "millimetre" => "mm",
-            // The micro sign and the Greek letter mu are both in use.
-            "\u{b5}m" | "\u{3bc}m" | "micron" => "um",
-            "micrometer" | "micrometre" | "mikrometer" => "um",
-            "nanometer" | "nanometre" => "nm",
-            "\u{e5}ngstr\u{f6}m" | "\u{e5}" | "\u{212b}" => "angstrom",
-            "picometer" | "picometre" => "pm",
-            "a" if name.trim() == "A" => "angstrom",
-            _ => name,
-        };
-        parse_name("unit", symbol)
+        parse_name("unit", unit_meaning(name).unwrap_or(name))
     }
-}
-
-/// The unit in a name or symbol of a file: `µm`, `"Micrometer"`, `microns.`.
-pub(crate) fn unit(text: &str) -> Option<LengthUnit> {
-    text.trim().trim_matches(['"', '\'', '.']).parse().ok()
-}
-
-/// `10.00 µm` in metres; the decimal separator is a point or a comma.
-pub(crate) fn length(text: &str) -> Option<f64> {
-    let (number, unit) = quantity(text)?;
-    let length = number * unit?.metres();
-    (length.is_finite() && length > 0.0).then_some(length)
-}
-
-/// A number and the unit after it, if there is one: `3.7e-007 m`.
-pub(crate) fn quantity(text: &str) -> Option<(f64, Option<LengthUnit>)> {
-    let text = text.trim();
-    let end = text.find(|c: char| c.is_alphabetic() && !matches!(c, 'e' | 'E'));
-    let (value, name) = text.split_at(end.unwrap_or(text.len()));
-    let value = number(value)?;
-    match name.trim() {
-        "" => Some((value, None)),
-        name => Some((value, Some(unit(name)?))),
-    }
-}
-
-/// A finite number with a decimal point or comma.
-fn number(text: &str) -> Option<f64> {
-    let text = text.trim();
-    let number = text.parse().or_else(|_| text.replacen(',', ".", 1).parse()).ok()?;
-    f64::is_finite(number).then_some(number)
-}
-
-/// The unit in `x [mm]`, `x (mm)`, `x_mm`, `x / mm`, `x in mm`, `Lateral mm` or `mm`.
-pub(crate) fn unit_in(name: &str) -> Option<LengthUnit> {
-    let name = name.trim().trim_matches('"').trim_end_matches([']', ')']);
-    let last = name.rsplit(['[', '(', '_', '/', ' ']).next()?;
-    // A single letter is the name of a column, as in `a`.
-    let bare = last.len() == name.len();
-    unit(last).filter(|_| !bare || name.chars().count() > 1)
 }
 
 /// A distance between neighbouring points: `0.5`, in the unit of the heights, or `10 nm`.
@@ -149,6 +96,11 @@ impl TryFrom<Given> for Distance {
 }
 
 impl Distance {
+    /// A length in m.
+    pub(crate) fn metre(value: f64) -> Self {
+        Self { value, unit: Some(LengthUnit::Metre) }
+    }
+
     /// The number in this unit; heights are in it if the distance has no unit of its own.
     #[must_use]
     pub fn in_unit(self, unit: LengthUnit) -> f64 {
@@ -180,7 +132,15 @@ impl FromStr for Distance {
 
     fn from_str(text: &str) -> Result<Self, TopographyError> {
         // A comma separates two distances.
-        let found = quantity(text).filter(|(value, _)| *value > 0.0 && !text.contains(','));
+        let found = match quantities(text, ' ') {
+            (numbers, unit) if !text.contains(',') => match (&numbers[..], unit) {
+                ([value], None) => Some((*value, None)),
+                ([value], Some(unit)) => unit.parse().ok().map(|unit| (*value, Some(unit))),
+                _ => None,
+            },
+            _ => None,
+        };
+        let found = found.filter(|(value, _)| *value > 0.0 && value.is_finite());
         let unknown = || TopographyError::UnknownName {
             field: "pixel_size",
             found: excerpt(text.trim()),
@@ -207,28 +167,6 @@ mod tests {
         let json = serde_json::to_string(&LengthUnit::Nanometre).unwrap();
         assert_eq!(json, "\"nm\"");
         assert_eq!(serde_json::from_str::<LengthUnit>("\"um\"").unwrap(), LengthUnit::Micrometre);
-    }
-
-    #[test]
-    fn units_are_found_in_names_of_columns() {
-        for name in ["x [\u{b5}m]", "x_(microns)", "z_um", "Raw Micrometer", "y in \u{3bc}m", "um"]
-        {
-            assert_eq!(unit_in(name), Some(LengthUnit::Micrometre), "{name}");
-        }
-        for name in ["m", "a", "", "height", "y1", "[1/0"] {
-            assert_eq!(unit_in(name), None, "{name}");
-        }
-        assert_eq!(unit_in("[mm]"), Some(LengthUnit::Millimetre));
-    }
-
-    #[test]
-    fn lengths_have_a_number_and_a_unit() {
-        assert_eq!(length("5678,9 nm").map(|length| (1e13 * length).round()), Some(56_789_000.0));
-        assert_eq!(quantity("3.69862e-007 m"), Some((3.69862e-7, Some(LengthUnit::Metre))));
-        assert_eq!(quantity("-2"), Some((-2.0, None)));
-        for text in ["", "um", "nan um", "1e400 m", "-3 um", "3 V", "1,2,3 um", "7"] {
-            assert_eq!(length(text), None, "{text}");
-        }
     }
 
     #[test]

@@ -206,7 +206,9 @@ impl Surface {
     /// The options as keys of a scene.
     fn keys(&self) -> MeasuredKeys {
         let Self { unit, pixel_size, max_missing, .. } = *self;
-        let options = ReadOptions { unit, pixel_size, max_missing, channel: self.channel.clone() };
+        let channel = self.channel.clone();
+        let options =
+            ReadOptions { unit, pixel_size, max_missing, channel, ..ReadOptions::default() };
         let mut keys = MeasuredKeys::default().reading(options);
         keys.estimator = self.estimator;
         keys.level = self.level;

@@ -15,73 +15,44 @@ pub(super) enum Format {
     X3p,
 }
 
-/// First bytes and names of formats without a reader.
-const FIRST_BYTES: &[(&[u8], &str)] = &[
-    (b"\\*File list", "Bruker Nanoscope"),
-    (b"\\*Force file list", "Bruker Nanoscope"),
-    (b"?*File list", "Bruker Nanoscope"),
-    (b"\x88\x1b\x03", "Zygo MetroPro (dat)"),
-    (b"\x89HDF\r\n\x1a\n", "HDF5 (Zygo datx, NetCDF 4 and others)"),
-    (b"\x01\x00Directory", "Wyko OPD"),
-    (b"Wyko ASCII Data File Format", "Wyko ASCII"),
-    (b"VCA DATA", "Bruker OPDx"),
-    (b"VK3_", "Keyence VK"),
-    (b"VK4_", "Keyence VK"),
-    (b"VK6", "Keyence VK"),
-    (b"VK7", "Keyence VK"),
-    (b"KPK", "Keyence ZON"),
-    (b"AliconaImaging", "Alicona al3d"),
-    (b"fileType      ", "Agilent MI"),
-    (b"[DataSet]\r\n", "Nanosurf nid"),
-    (b"WSxM file copyright", "WSxM"),
-    (b"FRTM_GLIDERV", "FRT MicroProf"),
-    (b"fileformat = bcr", "BCR"),
-    (b"f\0i\0l\0e\0f\0o\0r\0m\0a\0t\0", "BCR"),
-    (b"Binary TrueMap Data File", "TrueMap tmd"),
-    (b"CDF\x01", "NetCDF"),
-    (b"CDF\x02", "NetCDF"),
-    (b"MATLAB 5.0 MAT-file", "MATLAB mat"),
-    (b"OLYMPUSRAWFORMAT", "Olympus oir"),
-    (b"OmniSurf3D", "OmniSurf3D"),
-    (b"Zeta-Instruments", "Zeta zmg"),
-    (b"Zygo XYZ Data File", "Zygo ASCII"),
-    (b"Zygo ASCII Data File", "Zygo ASCII"),
-    (b"GWYO", "Gwyddion 1"),
-    (b"GWYQ", "Gwyddion 3"),
-    (b"II*\0", "TIFF (JPK, Park Systems or a picture)"),
-    (b"MM\0*", "TIFF (JPK, Park Systems or a picture)"),
-    (b"%PDF", "PDF"),
-    (b"\xd0\xcf\x11\xe0", "OLE (MountainsMap mnt or Excel xls)"),
-    (b"solid ", "STL"),
-];
+/// A format without a reader, in a row of `formats.csv`.
+struct Foreign {
+    /// `extension`, `first`, `entry` or `picture`.
+    kind: &'static str,
+    mark: Vec<u8>,
+    name: &'static str,
+    converter: Option<&'static str>,
+}
 
-/// First bytes and names of formats of pictures.
-const PICTURES: &[(&[u8], &str)] =
-    &[(b"\x89PNG\r\n", "PNG"), (b"\xff\xd8\xff", "JPEG"), (b"BM6\0", "BMP"), (b"GIF8", "GIF")];
+fn formats() -> impl Iterator<Item = Foreign> {
+    let rows = include_str!("formats.csv").lines().filter(|row| !row.starts_with('#'));
+    rows.filter_map(|row| {
+        let cells: Vec<_> = row.split(';').collect();
+        let [kind, mark, name, converter] = cells[..] else { return None };
+        let converter = Some(converter).filter(|converter| !converter.is_empty());
+        Some(Foreign { kind, mark: unescaped(mark), name, converter })
+    })
+}
 
-/// Extensions of binary files and names of formats without first bytes of their own.
-const EXTENSIONS: &[(&[u8], &str)] = &[
-    (b"hgt", "SRTM hgt"),
-    (b"ibw", "Igor Pro ibw"),
-    (b"jpk", "JPK"),
-    (b"mi", "Agilent MI"),
-    (b"mnt", "MountainsMap mnt"),
-    (b"nms", "NanoMap nms"),
-    (b"plu", "Sensofar plu"),
-    (b"spm", "Bruker Nanoscope"),
-    (b"stl", "STL"),
-    (b"vk4", "Keyence VK"),
-    (b"vk6", "Keyence VK"),
-    (b"vk7", "Keyence VK"),
-];
-
-/// Entries of zip archives and names of formats.
-const ENTRIES: &[(&[u8], &str)] = &[
-    (b"index.xml", "Sensofar plux"),
-    (b"header.properties", "JPK"),
-    (b"[Content_Types].xml", "Excel xlsx"),
-    (b"meta.yml", "SurfaceTopography container"),
-];
+/// The bytes of a mark with `\\xff`, `\\r`, `\\n` and `\\\\`.
+fn unescaped(mark: &str) -> Vec<u8> {
+    let (mut bytes, mut rest) = (vec![], mark.as_bytes());
+    while let [first, tail @ ..] = rest {
+        let (byte, length) = match (first, tail) {
+            (b'\\', [b'x', digits @ ..]) => {
+                let digits = digits.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
+                (digits.and_then(|digits| u8::from_str_radix(digits, 16).ok()).unwrap_or(0), 4)
+            }
+            (b'\\', [b'r', ..]) => (b'\r', 2),
+            (b'\\', [b'n', ..]) => (b'\n', 2),
+            (b'\\', [other, ..]) => (*other, 2),
+            (byte, _) => (*byte, 1),
+        };
+        bytes.push(byte);
+        rest = rest.get(length..).unwrap_or_default();
+    }
+    bytes
+}
 
 impl Format {
     /// The format of the bytes of a file called `name`.
@@ -101,11 +72,14 @@ impl Format {
             _ if sdf::is_sdf(bytes) => return Ok(Self::Sdf),
             _ => {}
         }
-        if let Some(format) = named(PICTURES, |magic| bytes.starts_with(magic)) {
-            return Err(TopographyError::Picture { format });
-        }
-        if let Some(format) = foreign(extension, bytes) {
-            return Err(TopographyError::ForeignFormat { format });
+        match foreign(extension, bytes) {
+            Some(Foreign { kind: "picture", name: format, .. }) => {
+                return Err(TopographyError::Picture { format });
+            }
+            Some(Foreign { name: format, converter, .. }) => {
+                return Err(TopographyError::ForeignFormat { format, converter });
+            }
+            None => {}
         }
         match extension {
             "npz" => Ok(Self::Npz),
@@ -121,19 +95,17 @@ impl Format {
     }
 }
 
-/// The name of a format without a reader. An extension alone counts for binary files only.
-fn foreign(extension: &str, bytes: &[u8]) -> Option<&'static str> {
+/// The format of a file if it has no reader. An extension alone counts for binary files only.
+fn foreign(extension: &str, bytes: &[u8]) -> Option<Foreign> {
     // The directory, which lists the names, is at the end of an archive.
     let directory = bytes.get(bytes.len().saturating_sub(1 << 16)..).unwrap_or_default();
     let has = |name: &[u8]| directory.windows(name.len()).any(|part| part == name);
-    let archive = || bytes.starts_with(x3p::MAGIC) && !has(b"main.xml");
-    named(FIRST_BYTES, |magic| bytes.starts_with(magic))
-        .or_else(|| named(ENTRIES, has).filter(|_| archive()))
-        .or_else(|| named(EXTENSIONS, |end| end == extension.as_bytes() && is_binary(bytes)))
-}
-
-fn named(list: &[(&[u8], &'static str)], is: impl Fn(&[u8]) -> bool) -> Option<&'static str> {
-    list.iter().find(|(mark, _)| is(mark)).map(|(_, name)| *name)
+    let archive = bytes.starts_with(x3p::MAGIC) && !has(b"main.xml");
+    formats().find(|Foreign { kind, mark, .. }| match *kind {
+        "extension" => mark == extension.as_bytes() && is_binary(bytes),
+        "entry" => archive && has(mark),
+        _ => bytes.starts_with(mark),
+    })
 }
 
 /// Whether a file has bytes that no text has.
@@ -150,15 +122,34 @@ mod tests {
 
     #[test]
     fn formats_are_named_by_their_first_bytes_or_extension() {
-        assert_eq!(foreign("spm", b"\\*File list\r\n\\Version: 1"), Some("Bruker Nanoscope"));
-        assert_eq!(foreign("txt", b"VK4_\x01"), Some("Keyence VK"));
-        assert_eq!(foreign("ibw", b"\x05\x00\x94g"), Some("Igor Pro ibw"));
+        let found = |extension, bytes: &[u8]| foreign(extension, bytes).map(|format| format.name);
+        assert_eq!(found("spm", b"\\*File list\r\n\\Version: 1"), Some("Bruker Nanoscope"));
+        assert_eq!(found("txt", b"VK4_\x01"), Some("Keyence VK"));
+        assert_eq!(found("ibw", b"\x05\x00\x94g"), Some("Igor Pro ibw"));
         // Text with the extension of a binary format is text.
-        assert_eq!(foreign("plu", b"1 2 3 4\n"), None);
+        assert_eq!(found("plu", b"1 2 3 4\n"), None);
         let plux = b"PK\x03\x04 ... index.xml ... LAYER_0.raw";
-        assert_eq!(foreign("plux", plux), Some("Sensofar plux"));
-        assert_eq!(foreign("x3p", b"PK\x03\x04 main.xml index.xml"), None);
-        assert_eq!((foreign("a", b"GIF 1 2 3"), foreign("png", b"\x89PNG\r\n")), (None, None));
+        assert_eq!(found("plux", plux), Some("Sensofar plux"));
+        assert_eq!(found("x3p", b"PK\x03\x04 main.xml index.xml"), None);
+        assert_eq!((found("a", b"GIF 1 2 3"), found("a", b"\x89PNG\r\n")), (None, Some("PNG")));
         assert!(is_binary(b"\x01\x02") && !is_binary(b"a\tb\r\n") && !is_binary(b"\xff\xfea\0"));
+    }
+
+    #[test]
+    fn converters_are_named_for_what_they_read() {
+        let converter =
+            |extension, bytes: &[u8]| foreign(extension, bytes).and_then(|format| format.converter);
+        for (extension, bytes, name) in [
+            ("a", &b"VK4_"[..], Some("SurfaceTopography")),
+            ("datx", b"\x89HDF\r\n\x1a\n\0", Some("SurfaceTopography")),
+            ("h5", b"\x89HDF\r\n\x1a\n\0", None),
+            ("stl", b"solid cube", None),
+            ("stl", b"\0\0\0", None),
+            ("bz2", b"BZh9", None),
+            ("xlsx", b"PK\x03\x04 [Content_Types].xml", None),
+            ("dat", b"Zygo ASCII Data File", Some("Gwyddion")),
+        ] {
+            assert_eq!(converter(extension, bytes), name, "{extension}");
+        }
     }
 }

@@ -6,9 +6,8 @@ use std::collections::BTreeMap;
 
 use asperity_core::Finding;
 
-use super::scan::{PixelSize, Scan, points, positive, select};
+use super::scan::{Scan, points, positive, select};
 use crate::error::{damaged, excerpt, refuse};
-use crate::unit;
 use crate::{LengthUnit, TopographyError};
 
 const MAGIC: &[u8] = b"GWYP";
@@ -41,12 +40,14 @@ pub(super) fn scan(bytes: &[u8], channel: Option<&str>) -> Result<Scan, Topograp
             || format!("channel {number}"),
             |title| String::from_utf8_lossy(title).trim().to_owned(),
         );
-        match unit::unit(&field.units[1]) {
-            Some(unit) => {
+        match field.units[1].parse().ok() {
+            None if !field.units[1].trim().is_empty() => {
+                others.push(format!("{name} [{}]", field.units[1]))
+            }
+            unit => {
                 names.push(name);
                 fields.push((field, mask, unit));
             }
-            None => others.push(format!("{name} [{}]", field.units[1])),
         }
     }
     if fields.is_empty() {
@@ -95,7 +96,7 @@ impl<'a> Field<'a> {
     fn scan(
         &self,
         mask: Option<Field<'_>>,
-        unit: LengthUnit,
+        unit: Option<LengthUnit>,
         note: Option<Finding>,
     ) -> Result<Scan, TopographyError> {
         let [columns, rows] = self.resolution;
@@ -105,7 +106,7 @@ impl<'a> Field<'a> {
         };
         let n = points(count(columns, "gwy xres")?, count(rows, "gwy yres")?)?;
         let mut heights = self.numbers(n)?;
-        let scale = unit::unit(&self.units[0]).map(LengthUnit::metres);
+        let scale = self.units[0].parse().ok().map(LengthUnit::metres);
         let wrong = || refuse("gwy si_unit_xy", format!("{:?}", self.units[0]), "a unit of length");
         let scale = scale.ok_or_else(wrong)?;
         let [width, height] = self.size;
@@ -126,8 +127,7 @@ impl<'a> Field<'a> {
             let advice = "these points are read as missing; remove the mask to keep them";
             notes.push(Finding::note("mask", "masked_share", share).fact(text).advice(advice));
         }
-        let (columns, pixel_size) = (columns as usize, PixelSize::Metres(pixel_size));
-        Ok(Scan { heights, columns, unit: Some(unit), pixel_size, notes })
+        Ok(Scan { notes, ..Scan::new(heights, columns as usize, unit, pixel_size) })
     }
 
     fn numbers(&self, n: usize) -> Result<Vec<f64>, TopographyError> {

@@ -1,253 +1,283 @@
-//! Headers of text files, in English, German and French.
+//! Headers of text files: keys with a number, a unit or a word, by the words of `words.csv`.
 
-use super::scan::PixelSize;
-use super::table::{Delimiter, NumberTable};
-use crate::error::{refuse, refuse_line};
-use crate::unit::{length, quantity, unit, unit_in};
-use crate::{LengthUnit, TopographyError};
+use std::collections::HashMap;
 
-const WIDTH: &[&str] = &["width", "breite", "largeur"];
-const HEIGHT: &[&str] = &["height", "h\u{f6}he", "hoehe", "hauteur"];
-const PIXEL: &[&str] = &[
-    "pixel size",
-    "pixel_size",
-    "pixelsize",
-    "pixelgr\u{f6}\u{df}e",
-    "pixelgroesse",
-    "taille de pixel",
-    "taille du pixel",
-];
+use serde::Serialize;
 
-/// The header above the numbers.
-#[derive(Default)]
+use super::lines::{COMMENT, Delimiter};
+use super::scan::{ReadOptions, agree};
+use super::words::{meanings, named, number, quantities, unit_meaning};
+use crate::error::{refuse, refuse_line, undecided};
+use crate::{Distance, LengthUnit, MAX_POINTS, TopographyError};
+
+/// A line of the header of a text file.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
+pub struct HeaderLine {
+    /// Its number, from 1.
+    pub line: usize,
+    /// Its text.
+    pub text: String,
+    /// What it is understood as, such as `width` or `unit`; `None` if it is not.
+    pub meaning: Option<&'static str>,
+}
+
+/// A key of a header and what stands behind it.
+#[derive(Debug, Clone)]
+pub(super) struct Entry {
+    meanings: &'static [&'static str],
+    line: usize,
+    /// The line.
+    text: String,
+    numbers: Vec<f64>,
+    /// The unit behind the numbers or the key.
+    unit: Option<String>,
+    /// The text behind the key.
+    words: String,
+}
+
+impl Entry {
+    fn new(text: &str, key: &str, words: &str, separator: char) -> Self {
+        let (name, unit) = named(key);
+        let (numbers, own) = quantities(words, separator);
+        let unit = own.or(unit).map(str::to_owned);
+        let (text, words) = (text.into(), words.trim().trim_matches(['"', ',', ' ']).into());
+        Self { meanings: meanings("header", name), line: 0, text, numbers, unit, words }
+    }
+
+    pub(super) fn known(&self) -> bool {
+        !self.meanings.is_empty()
+    }
+
+    fn wrong(&self, required: &str) -> TopographyError {
+        refuse_line(self.line, &self.text, required)
+    }
+
+    /// The number of this place of two, or else the last one, above 0.
+    fn positive(&self, at: usize, required: &str) -> Result<f64, TopographyError> {
+        let two = self.numbers.get(at).filter(|_| self.numbers.len() == 2);
+        let number = two.or(self.numbers.last()).copied();
+        let positive = number.filter(|number| *number > 0.0 && number.is_finite());
+        positive.ok_or_else(|| self.wrong(required))
+    }
+
+    /// The unit of length that a text states.
+    fn length_unit(&self, text: &str) -> Result<LengthUnit, TopographyError> {
+        text.parse().map_err(|_| self.wrong("a unit of length"))
+    }
+
+    /// Whether the numbers count points.
+    fn counts(&self) -> bool {
+        self.unit.as_deref().is_some_and(|unit| unit_meaning(unit) == Some("points"))
+    }
+}
+
+/// The key of a line and what stands behind it: `# Width: 10 µm`, `"Width","10","µm"`, `ncols 48`.
+pub(super) fn entry(text: &str, delimiter: Delimiter) -> Option<Entry> {
+    let bare = text.trim_start_matches(COMMENT).trim_start_matches([' ', '"', '*', '\\', '/']);
+    // Some keys stand alone or have a word for a value.
+    let wordy = |entry: &Entry| {
+        let prefixes = ["unit", "name", "scaled", "mark"];
+        let word = |key: &&str| key.contains('=') || prefixes.iter().any(|p| key.starts_with(p));
+        entry.meanings.iter().any(word)
+    };
+    let assigned = bare.split_once([':', '=', '\u{ff1a}']);
+    let assigned = assigned.map(|(key, words)| Entry::new(bare, key, words, '\t'));
+    let parts = ['\t', ';', char::from(delimiter.0), ','].into_iter().filter(|part| *part != ' ');
+    let parted = parts.filter_map(|part| {
+        let (key, words) = bare.split_once(part)?;
+        let entry = Entry::new(bare, key, words, part);
+        Some(entry).filter(|entry| wordy(entry) || !entry.numbers.is_empty())
+    });
+    let spaced = bare.match_indices([' ', '\t']).take(9).filter_map(|(at, _)| {
+        let (key, words) = bare.split_at(at);
+        number(words.split_whitespace().next()?)?;
+        Some(Entry::new(bare, key, words, '\t'))
+    });
+    let alone = Some(Entry::new(bare, bare, "", ' ')).filter(wordy);
+    let known =
+        assigned.iter().cloned().chain(parted).chain(spaced).chain(alone).find(Entry::known);
+    known.or(assigned)
+}
+
+/// The header above a table.
+#[derive(Debug, Default)]
 pub(super) struct Header {
-    /// Unit of the heights, after their factor.
-    unit: Option<LengthUnit>,
-    /// Factor of the heights.
-    pub(super) factor: Option<f64>,
-    /// Width and height \[m\].
-    pub(super) size: [Option<f64>; 2],
-    pub(super) pixel_size: PixelSize,
-    /// Units over the columns, without an index.
-    columns: Vec<Option<LengthUnit>>,
-    /// Whether the first column counts the rows.
-    pub(super) index: bool,
-    /// Whether the third column tells which points of a profile are valid.
-    pub(super) validity: bool,
+    pub(super) lines: Vec<HeaderLine>,
+    /// By meaning; of several entries with one meaning, the first.
+    entries: HashMap<&'static str, Entry>,
 }
 
 impl Header {
-    pub(super) fn read(table: &NumberTable) -> Result<Self, TopographyError> {
+    pub(super) fn read(lines: &[(usize, String)], delimiter: Delimiter) -> Self {
         let mut header = Self::default();
-        // A unit that is no length, such as rad, needs a factor.
-        let mut other_unit = None;
-        for (line, text) in &table.header {
-            let bare = text.trim_start_matches(['#', '%', '\\', '/', '*', '"', ' ']);
-            let Some((key, value)) = bare.split_once([':', '=']) else { continue };
-            let value = value.trim().trim_end_matches('"');
-            let wrong = |required: &str| refuse_line(*line, bare, required);
-            let positive = || length(value).ok_or_else(|| wrong("a length, for example 10 um,"));
-            let key = key.trim().to_lowercase();
-            let is = |names: &[&str]| names.contains(&key.as_str());
-            if is(WIDTH) {
-                header.size[0] = Some(positive()?);
-            } else if is(HEIGHT) {
-                header.size[1] = Some(positive()?);
-            } else if is_unit_of_heights(&key) {
-                match unit(value) {
-                    Some(unit) => header.unit = header.unit.or(Some(unit)),
-                    None => {
-                        let required = "a unit of length, or a conversion factor of the heights,";
-                        other_unit = Some(wrong(required));
-                    }
+        for (line, text) in lines {
+            let found = entry(text, delimiter);
+            let name = |key: &'static str| key.split(['=', '@']).next();
+            let meaning = found.iter().flat_map(|entry| entry.meanings).copied().find_map(name);
+            for (key, entry) in
+                found.iter().flat_map(|entry| entry.meanings.iter().map(move |key| (*key, entry)))
+            {
+                let mut entry = Entry { line: *line, ..entry.clone() };
+                if let Some((_, value)) = key.split_once('=') {
+                    (entry.words, entry.numbers) =
+                        (value.into(), value.parse().into_iter().collect());
+                } else if let Some((_, unit)) = key.split_once('@') {
+                    entry.unit = Some(unit.into());
                 }
-            } else if is(PIXEL) {
-                header.pixel_size = pixel_size(value).ok_or_else(|| wrong("a length above 0"))?;
-            } else if is_factor(&key) {
-                let required =
-                    "the factor from the heights to a unit of length, as in (-> m)=1e-9,";
-                let (factor, unit) = factor(&key, value).ok_or_else(|| wrong(required))?;
-                (header.factor, header.unit) = (Some(factor), Some(unit));
+                header.entries.entry(name(key).unwrap_or(key)).or_insert(entry);
             }
+            header.lines.push(HeaderLine { line: *line, text: text.clone(), meaning });
         }
-        if let Some(error) = other_unit.filter(|_| header.factor.is_none()) {
-            return Err(error);
-        }
-        header.read_columns(table);
-        Ok(header)
+        header
     }
 
-    /// The last lines may name the columns, in one line, or their units in a second one.
-    fn read_columns(&mut self, table: &NumberTable) {
-        if table.columns > 3 {
-            return;
-        }
-        for (_, text) in table.header.iter().rev().take(3) {
-            let text = text.trim_start_matches(['#', '%', '\\', '/', '*']);
-            let Some(names) = names(text, table) else { continue };
-            let lower = |at: usize| names.get(at).map(|name| name.trim().to_lowercase());
-            self.index |= lower(0).is_some_and(|name| matches!(name.as_str(), "index" | "#"));
-            self.validity |= lower(2).is_some_and(|name| name == "valid");
-            let units: Vec<_> = names.iter().map(|name| unit_in(name)).collect();
-            if self.columns.is_empty() && units.iter().any(Option::is_some) {
-                self.columns = units;
-            }
-        }
-        if self.index && !self.columns.is_empty() {
-            self.columns.remove(0);
-        }
+    pub(super) fn has(&self, meaning: &str) -> bool {
+        self.entries.contains_key(meaning)
     }
 
-    /// The unit of the heights, in this column if the columns have units.
-    pub(super) fn heights(&self, column: Option<usize>) -> Option<LengthUnit> {
-        let over = column.and_then(|column| self.columns.get(column).copied().flatten());
-        if self.factor.is_some() { self.unit } else { over.or(self.unit) }
+    /// The entry of the first of these meanings that the header has.
+    fn find<const N: usize>(&self, meanings: [&str; N]) -> Option<&Entry> {
+        meanings.into_iter().find_map(|meaning| self.entries.get(meaning))
     }
 
-    /// The distance of points in the units over the columns of positions.
-    pub(super) fn distance(&self, size: [f64; 2]) -> Result<PixelSize, TopographyError> {
-        let unit = |column: usize| self.columns.get(column).copied().flatten();
-        let areal = self.columns.len() > 2 && !self.validity;
-        match if areal { [unit(0), unit(1)] } else { [unit(0); 2] } {
-            [Some(x), Some(y)] => {
-                Ok(PixelSize::Metres([size[0] * x.metres(), size[1] * y.metres()]))
-            }
-            [None, None] => Ok(PixelSize::InUnit(size)),
-            _ => {
-                let found = "a unit over one of the columns x and y";
-                Err(refuse("header", found, "units over both or over neither"))
-            }
+    /// The name of the channel.
+    pub(super) fn name(&self) -> Option<&str> {
+        self.find(["name"]).map(|entry| entry.words.as_str())
+    }
+
+    /// Whether the factor of the heights has a unit, to which it leads.
+    pub(super) fn has_unit_of_factor(&self) -> bool {
+        self.find(["factor"]).is_some_and(|entry| entry.unit.is_some())
+    }
+
+    /// The unit that the header states for the heights, after their factor.
+    pub(super) fn unit(&self) -> Result<Option<LengthUnit>, TopographyError> {
+        if let Some((entry, unit)) =
+            self.find(["factor"]).and_then(|entry| Some((entry, entry.unit.as_ref()?)))
+        {
+            return entry.length_unit(unit).map(Some);
         }
+        let required = "a unit of length, or a conversion factor of the heights,";
+        let unit = |entry: &Entry| entry.words.parse().map_err(|_| entry.wrong(required));
+        self.find(["unit"]).map(unit).transpose()
     }
-}
 
-/// Whether a key names the unit of the heights, and not, for example, that of the lengths:
-/// `unit`, `z-unit`, `exported image units`, `Einheit der Werte`, `unité de valeur`.
-fn is_unit_of_heights(key: &str) -> bool {
-    let unit = |word: &str| {
-        let word = word.strip_suffix('s').unwrap_or(word);
-        matches!(
-            word,
-            "unit" | "unit\u{e9}" | "einheit" | "einheiten" | "werteinheit" | "werteinheiten"
-        )
-    };
-    let of_heights = |word: &str| {
-        let english = matches!(word, "value" | "data" | "exported" | "image" | "height" | "z");
-        english || matches!(word, "der" | "werte" | "de" | "des" | "valeur" | "valeurs")
-    };
-    let words = || key.split([' ', '-']);
-    words().any(unit) && words().all(|word| unit(word) || of_heights(word))
-}
-
-/// Whether a key names a factor of the heights, and not, for example, a magnification factor.
-fn is_factor(key: &str) -> bool {
-    let has = |words: &[&str]| words.iter().any(|word| key.contains(word));
-    let of_heights = ["height", "conversion", "scale", "scaling", "data", "value", "umrechnung"];
-    let of_others = ["skal", "h\u{f6}he", "hoehe", "hauteur", "\u{e9}chelle"];
-    has(&["factor", "faktor", "facteur"])
-        && (has(&of_heights) || has(&of_others) || key.starts_with('z'))
-}
-
-/// The names over the columns, if the line has as many.
-fn names(text: &str, table: &NumberTable) -> Option<Vec<String>> {
-    let delimiters = [table.delimiter, Delimiter(b',')];
-    let split = |delimiter: &Delimiter| {
-        let names: Vec<_> = delimiter
-            .fields(text.as_bytes())
-            .map(|name| String::from_utf8_lossy(name).into_owned())
-            .collect();
-        // A delimiter may end the line.
-        let names = match names.split_last() {
-            Some((last, rest)) if last.is_empty() && rest.len() >= table.columns => rest.to_vec(),
-            _ => names,
+    /// The factor of the heights, which leads to their unit; `unit` tells whether that is known.
+    pub(super) fn factor(&self, unit: bool) -> Result<Option<f64>, TopographyError> {
+        // Nova writes `No` where heights are in their unit, Wyko 1 as the second of three flags.
+        let scaled = |entry: &Entry| {
+            entry.words.eq_ignore_ascii_case("no") || entry.numbers.get(1) == Some(&1.0)
         };
-        (names.len() == table.columns).then_some(names)
-    };
-    let bracketed = || {
-        let parts: Vec<_> = text.split_inclusive([']', ')']).map(str::to_owned).collect();
-        (parts.len() == table.columns).then_some(parts)
-    };
-    // A unit over each column, whatever separates the numbers.
-    let units =
-        || split(&Delimiter(b' ')).filter(|names| names.iter().all(|name| unit(name).is_some()));
-    delimiters.iter().find_map(split).or_else(bracketed).or_else(units)
-}
-
-fn pixel_size(value: &str) -> Option<PixelSize> {
-    let (size, unit) = quantity(value)?;
-    if size <= 0.0 {
-        return None;
-    }
-    Some(match unit {
-        Some(unit) => PixelSize::Metres([size * unit.metres(); 2]),
-        None => PixelSize::InUnit([size; 2]),
-    })
-}
-
-/// The factor and the unit that it leads to, which the key or the value states.
-fn factor(key: &str, value: &str) -> Option<(f64, LengthUnit)> {
-    let (factor, own) = quantity(value)?;
-    let target = key.rsplit("->").next().filter(|target| target.len() < key.len());
-    let target = target.and_then(|target| unit(target.trim().trim_end_matches(')')));
-    Some((factor, own.or(target).or_else(|| unit_in(key))?))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn header(text: &str) -> Result<Header, TopographyError> {
-        Header::read(&NumberTable::parse(text.as_bytes())?)
-    }
-
-    #[test]
-    fn headers_have_three_languages() {
-        for text in [
-            "# Width: 10 um\n# Height: 4 um\n# Value units: nm\n1 2 3 4\n",
-            "# Kanal: Z\n# Breite: 10,0 \u{b5}m\n# H\u{f6}he: 4 um\n# Einheit: nm\n1 2 3 4\n",
-            "# Canal : Z\n# Largeur : 10 um\n# Hauteur\u{a0}: 4 um\n# Unit\u{e9}s : nm\n1 2 3 4\n",
-        ] {
-            let header = header(text).unwrap();
-            let [width, height] = header.size.map(|size| (1e9 * size.unwrap()).round() as u32);
-            assert_eq!((width, height), (10_000, 4000), "{text}");
-            assert_eq!(header.heights(None), Some(LengthUnit::Nanometre), "{text}");
+        if self.find(["scaled"]).is_some_and(scaled) {
+            return Ok(None);
         }
-    }
-
-    #[test]
-    fn factors_and_pixel_sizes_are_used_or_refused() {
-        let head = "pixel size=3.5e-007 m\ndata unit=rad\n";
-        let whole = header(&format!("{head}height conversion factor (-> m)=2.5e-008\n1 2 3 4\n"));
-        let whole = whole.unwrap();
-        assert_eq!(whole.heights(None), Some(LengthUnit::Metre));
-        assert_eq!(whole.factor, Some(2.5e-8));
-        assert_eq!(whole.pixel_size, PixelSize::Metres([3.5e-7; 2]));
-        let message = |text: String| header(&text).err().unwrap().to_string();
-        let rad = message(format!("{head}1 2 3 4\n"));
-        assert!(rad.starts_with("line 2: \"data unit=rad\""), "{rad}");
-        let bare = message(format!("{head}height factor=2\n1 2 3 4\n"));
-        assert!(bare.starts_with("line 3: \"height factor=2\""), "{bare}");
-        assert!(header("magnification factor=50\n1 2 3 4\n").unwrap().factor.is_none());
-        let none = message("pixel size=0 um\n1 2 3 4\n".to_owned());
-        assert!(none.starts_with("line 1: \"pixel size=0 um\""), "{none}");
-    }
-
-    #[test]
-    fn columns_have_names_and_units() {
-        use LengthUnit::{Micrometre, Millimetre, Nanometre};
-        for (text, units) in [
-            ("x [mm]; z [nm]\n1;2\n", [Some(Millimetre), Some(Nanometre)]),
-            ("x [mm] z [nm]\n1 2\n", [Some(Millimetre), Some(Nanometre)]),
-            ("X_(microns),y1\n1,2\n", [Some(Micrometre), None]),
-            ("um nm\n2\n1, 2\n3, 4\n", [Some(Micrometre), Some(Nanometre)]),
-            ("index,x in um, z in nm\n0,1,2\n", [Some(Micrometre), Some(Nanometre)]),
-            ("Lateral um,Raw Micrometer,\n1,2,\n", [Some(Micrometre), Some(Micrometre)]),
-        ] {
-            let found = header(text).unwrap();
-            assert_eq!(found.columns, units, "{text}");
-            assert_eq!(found.index, text.starts_with("index"), "{text}");
+        let required = "the factor from the heights to a unit of length, as in (-> m)=1e-9,";
+        if let (Some(wavelength), Some(divisor)) =
+            (self.find(["wavelength"]), self.find(["divisor"]))
+        {
+            return Ok(Some(wavelength.positive(9, required)? / divisor.positive(9, required)?));
         }
-        let found = header("X;Y;valid\n[mm];[mm];[1/0]\n1;2;1\n").unwrap();
-        assert!(found.validity && found.heights(Some(1)) == Some(Millimetre));
+        let Some(entry) = self.find(["factor"]) else { return Ok(None) };
+        let factor = entry.numbers.last().copied().filter(|factor| unit && factor.is_finite());
+        factor.map(Some).ok_or_else(|| entry.wrong(required))
     }
+
+    /// The numbers that mark missing points.
+    pub(super) fn missing(&self) -> &[f64] {
+        self.find(["missing"]).map_or(&[], |entry| &entry.numbers)
+    }
+
+    /// Whether it states a width, which positions in columns would repeat.
+    pub(super) fn has_size(&self) -> bool {
+        self.find(["width", "height", "size"]).is_some()
+    }
+
+    /// The number of columns and of rows.
+    pub(super) fn points(&self) -> Result<[Option<usize>; 2], TopographyError> {
+        let count = |axis: usize| {
+            let own = self.find([["points x", "lines x"], ["points y", "points y"]][axis]);
+            let size = || self.find([["width"], ["height"]][axis]).filter(|entry| entry.counts());
+            let both = || self.find(["points"]).filter(|entry| entry.numbers.len() == 2);
+            let Some(entry) = own.or_else(size).or_else(both) else { return Ok(None) };
+            let number = entry.positive(axis, "a number of points")?;
+            let whole = number.fract() == 0.0 && number <= MAX_POINTS as f64;
+            whole.then_some(Some(number as usize)).ok_or_else(|| entry.wrong("a number of points"))
+        };
+        Ok([count(0)?, count(1)?])
+    }
+
+    /// Refuses a table of another size than the header states.
+    pub(super) fn check(&self, found: [usize; 2]) -> Result<(), TopographyError> {
+        let stated = self.points()?;
+        if stated.iter().zip(found).all(|(stated, found)| stated.is_none_or(|n| n == found)) {
+            return Ok(());
+        }
+        let [x, y] = stated.map(|n| n.map_or("?".to_owned(), |n| n.to_string()));
+        let required = format!("the {} x {} of the table", found[0], found[1]);
+        Err(refuse("header", format!("{x} x {y} points"), required))
+    }
+
+    /// The unit of lengths along an axis.
+    pub(super) fn lateral(
+        &self,
+        axis: usize,
+        options: &ReadOptions,
+    ) -> Result<Option<LengthUnit>, TopographyError> {
+        let keys = [["unit x", "unit xy", "unit y"], ["unit y", "unit x", "unit xy"]][axis];
+        let unit = self.find(keys).map(|entry| entry.length_unit(&entry.words)).transpose()?;
+        agree("units", options.lateral(axis), unit)
+    }
+
+    /// The distance of points along the axes of a table of this many columns and rows.
+    pub(super) fn pixel_size(
+        &self,
+        [columns, rows]: [usize; 2],
+        options: &ReadOptions,
+    ) -> Result<Option<[Distance; 2]>, TopographyError> {
+        let [x, y] = [self.side(0, columns, options)?, self.side(1, rows, options)?];
+        let y = y.or(x.filter(|_| rows == 1));
+        Ok(x.zip(y).map(|(x, y)| [x, y]))
+    }
+
+    fn side(
+        &self,
+        axis: usize,
+        n: usize,
+        options: &ReadOptions,
+    ) -> Result<Option<Distance>, TopographyError> {
+        let lateral = self.lateral(axis, options)?;
+        let unit = |entry: &Entry| match &entry.unit {
+            Some(unit) => entry.length_unit(unit).map(Some),
+            None => Ok(lateral),
+        };
+        let size = self.find([["width", "size"], ["height", "size"]][axis]);
+        if let Some(entry) = size.filter(|entry| !entry.counts()) {
+            let length = entry.positive(axis, "a length, for example 10 um,")?;
+            match unit(entry)? {
+                Some(unit) => return Ok(Some(Distance::metre(length * unit.metres() / n as f64))),
+                // The number of points.
+                None if length.total_cmp(&(n as f64)).is_eq() => {}
+                None => return Err(no_unit(format!("line {}", entry.line), &entry.text)),
+            }
+        }
+        if let Some(entry) = self.find([["step x", "step"], ["step y", "step"]][axis]) {
+            let aspect = self.find(["aspect"]).filter(|_| axis == 0);
+            let aspect = aspect.map_or(Ok(1.0), |entry| entry.positive(9, "a ratio"))?;
+            let value = aspect * entry.positive(axis, "a length above 0")?;
+            return Ok(Some(Distance { value, unit: unit(entry)? }));
+        }
+        let Some(entry) = self.find([["range x"], ["range y"]][axis]) else { return Ok(None) };
+        let [first, last] = entry.numbers[..] else { return Err(entry.wrong("two positions")) };
+        let value = (last - first) / (n.max(2) - 1) as f64;
+        let usable = value > 0.0 && value.is_finite();
+        let size = usable.then_some(Some(Distance { value, unit: lateral }));
+        size.ok_or_else(|| entry.wrong("two rising positions"))
+    }
+}
+
+/// The error of a length that has no unit.
+pub(super) fn no_unit(place: String, found: &str) -> TopographyError {
+    let choice = "those of lengths and heights, as um,nm";
+    undecided(place, format!("{found} has no unit"), "units", choice)
 }

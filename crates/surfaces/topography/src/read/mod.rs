@@ -1,8 +1,10 @@
 //! Readers of scans, from files and bytes.
 
+mod blocks;
 mod format;
 mod gwy;
 mod header;
+mod lines;
 mod npy;
 mod points;
 mod profile;
@@ -12,6 +14,7 @@ mod sdf;
 mod sur;
 mod table;
 mod text;
+mod words;
 mod x3p;
 mod x3p_xml;
 
@@ -23,7 +26,9 @@ use std::path::Path;
 
 use flate2::read::MultiGzDecoder;
 
+pub use header::HeaderLine;
 pub use scan::ReadOptions;
+pub(crate) use words::{quantities, unit_meaning};
 
 use self::format::Format;
 use crate::error::{at_most, damaged, refuse};
@@ -80,16 +85,29 @@ pub fn read_bytes(
     scan(name, bytes, options)?.topography(options)
 }
 
+/// The lines of the header of a text file, and what they are understood as; none of other formats.
+///
+/// # Errors
+/// [`TopographyError`] as [`read_bytes`], for a file without a table of numbers.
+pub fn read_header(
+    name: &str,
+    bytes: &[u8],
+    options: &ReadOptions,
+) -> Result<Vec<HeaderLine>, TopographyError> {
+    let (name, bytes) = unpacked(name, bytes)?;
+    match Format::of(name, &bytes)? {
+        Format::Text => text::header(&bytes, options),
+        _ => Ok(vec![]),
+    }
+}
+
 /// Takes the bytes, so that the memory of the file is freed before the surface is measured.
 fn scan(
     name: &str,
     bytes: impl AsRef<[u8]>,
     options: &ReadOptions,
 ) -> Result<scan::Scan, TopographyError> {
-    let (name, bytes) = match bytes.as_ref().starts_with(GZIP) {
-        true => (name.trim_end_matches(".gz"), Cow::from(unpack(bytes.as_ref())?)),
-        false => (name, Cow::from(bytes.as_ref())),
-    };
+    let (name, bytes) = unpacked(name, bytes.as_ref())?;
     let channel = options.channel.as_deref();
     let scan = match Format::of(name, &bytes)? {
         Format::Gwy => return gwy::scan(&bytes, channel),
@@ -98,11 +116,22 @@ fn scan(
         Format::Npz => Err(npy::archive(&bytes)),
         Format::X3p => x3p::scan(&bytes),
         Format::Sdf => sdf::scan(&bytes),
-        Format::Text => text::scan(&bytes),
+        Format::Text => return text::scan(&bytes, options),
     };
     let Some(channel) = channel else { return scan };
-    let names = "a file with several channels (.gwy or .sur)".into();
+    let names = "a file with several channels (.gwy, .sur or text)".into();
     Err(scan::unknown_channel(channel, names))
+}
+
+/// The name and the content of a file that may be packed by gzip.
+fn unpacked<'a>(
+    name: &'a str,
+    bytes: &'a [u8],
+) -> Result<(&'a str, Cow<'a, [u8]>), TopographyError> {
+    Ok(match bytes.starts_with(GZIP) {
+        true => (name.trim_end_matches(".gz"), unpack(bytes)?.into()),
+        false => (name, bytes.into()),
+    })
 }
 
 fn all_bytes(path: &Path) -> Result<Vec<u8>, TopographyError> {

@@ -8,7 +8,7 @@ use std::io::Cursor;
 use zip::ZipArchive;
 
 use super::sample::Sample;
-use super::scan::{Scan, points};
+use super::scan::{Scan, points, transposed};
 use crate::TopographyError;
 use crate::error::{damaged, refuse};
 
@@ -36,7 +36,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let (rows, columns) = (rows as usize, columns as usize);
     if fortran_order && rows > 1 {
         // The file stores the heights column by column.
-        heights = (0..n).map(|i| heights[i / columns + rows * (i % columns)]).collect();
+        heights = transposed(&heights, rows);
     }
     Ok(Scan { heights, columns, ..Scan::default() })
 }

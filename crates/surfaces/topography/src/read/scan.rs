@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use asperity_core::Finding;
 
-use crate::error::{at_most, excerpt, out_of_range, refuse};
+use crate::error::{at_most, excerpt, out_of_range, refuse, undecided};
 use crate::{Distance, LengthUnit, MAX_POINTS, Topography, TopographyError};
 
 /// Smaller pixels \[m\] are refused: no instrument resolves them.
@@ -26,8 +26,25 @@ pub struct ReadOptions {
     /// The largest share of missing points accepted, 0 to 1; 0.1 by default.
     pub max_missing: f64,
     /// The channel of a file with several (.gwy, .sur): its name, or its number among those of
-    /// heights, from 1. By default the first one with heights.
+    /// heights, from 1. By default the first one with heights. Of a text with several tables, the
+    /// name or the number of the table; it has no default.
     pub channel: Option<String>,
+    /// Units of a text that states none: of lengths and heights, or of x, y and heights.
+    pub units: Option<Vec<LengthUnit>>,
+    /// The columns of a text: `x,y,z` for each column, with `-` for those left out; the number of
+    /// the column of heights, from 1; `matrix`, if all are heights; or `axes`, if the first row or
+    /// column, or both, are positions.
+    pub columns: Option<String>,
+    /// The number of lines at the beginning of a text that are not read.
+    pub skip_lines: usize,
+    /// The number that marks missing points in the file; NaN if none does, although it seems so.
+    pub missing: Option<f64>,
+    /// The factor from the numbers in the file to heights in their unit. A factor stated in the
+    /// file must agree.
+    pub factor: Option<f64>,
+    /// The separator of the fields of a text, in ASCII; a space stands for any number of blanks. By
+    /// default that of the first row.
+    pub delimiter: Option<u8>,
 }
 
 impl ReadOptions {
@@ -41,26 +58,42 @@ impl ReadOptions {
         if !(0.0..=1.0).contains(&self.max_missing) {
             return Err(out_of_range("max_missing", self.max_missing, "a share from 0 to 1"));
         }
-        Ok(())
+        if let Some(factor) = self.factor.filter(|factor| *factor == 0.0 || !factor.is_finite()) {
+            return Err(out_of_range("factor", factor, "a finite number other than 0"));
+        }
+        match self.units.as_ref().map(Vec::len) {
+            None | Some(2 | 3) => Ok(()),
+            Some(n) => Err(out_of_range("the number of units", n as f64, "2 or 3")),
+        }
+    }
+
+    /// The unit of lengths along an axis.
+    pub(super) fn lateral(&self, axis: usize) -> Option<LengthUnit> {
+        let units = self.units.as_ref()?;
+        units.get(if units.len() > 2 { axis } else { 0 }).copied()
+    }
+
+    /// The unit of the heights.
+    pub(super) fn height_unit(&self) -> Option<LengthUnit> {
+        self.unit.or_else(|| self.units.as_ref()?.last().copied())
     }
 }
 
 impl Default for ReadOptions {
     fn default() -> Self {
-        Self { unit: None, pixel_size: None, max_missing: 0.1, channel: None }
+        Self {
+            unit: None,
+            pixel_size: None,
+            max_missing: 0.1,
+            channel: None,
+            units: None,
+            columns: None,
+            skip_lines: 0,
+            missing: None,
+            factor: None,
+            delimiter: None,
+        }
     }
-}
-
-/// The distance between points, as stated in the file.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) enum PixelSize {
-    /// Not stated.
-    #[default]
-    Unknown,
-    /// A number in the unit of the heights.
-    InUnit([f64; 2]),
-    /// A length \[m\].
-    Metres([f64; 2]),
 }
 
 /// A surface as stored in its file.
@@ -72,12 +105,26 @@ pub(super) struct Scan {
     pub(super) columns: usize,
     /// Unit of the heights, if the file states it.
     pub(super) unit: Option<LengthUnit>,
-    pub(super) pixel_size: PixelSize,
+    /// The distance of points, if the file states it.
+    pub(super) pixel_size: Option<[Distance; 2]>,
+    /// Factor from `heights` to heights in the unit, if the file states it.
+    pub(super) factor: Option<f64>,
     /// Choices made in reading.
     pub(super) notes: Vec<Finding>,
 }
 
 impl Scan {
+    /// Heights in a unit, at distances in m.
+    pub(super) fn new(
+        heights: Vec<f64>,
+        columns: usize,
+        unit: Option<LengthUnit>,
+        pixel_size: [f64; 2],
+    ) -> Self {
+        let pixel_size = Some(pixel_size.map(Distance::metre));
+        Self { heights, columns, unit, pixel_size, ..Self::default() }
+    }
+
     /// The surface in metres.
     pub(super) fn topography(self, options: &ReadOptions) -> Result<Topography, TopographyError> {
         let named = self.unit(options)?;
@@ -88,8 +135,16 @@ impl Scan {
             let (value, metres) = (tiny.value, tiny.value * unit);
             return Err(TopographyError::TinyPixel { value, unit: named.to_string(), metres });
         }
+        let factor = agree("factor", options.factor, self.factor)?;
         let Self { mut heights, columns, notes, .. } = self;
+        match options.missing {
+            Some(code) => {
+                heights.iter_mut().filter(|z| is_code(**z, code)).for_each(|z| *z = f64::NAN)
+            }
+            None => refuse_code(&heights)?,
+        }
         for height in &mut heights {
+            *height *= factor.unwrap_or(1.0);
             *height *= unit;
         }
         let topography = Topography { notes, ..Topography::new(heights, columns, pixel_size)? };
@@ -102,12 +157,8 @@ impl Scan {
     }
 
     fn unit(&self, options: &ReadOptions) -> Result<LengthUnit, TopographyError> {
-        match (options.unit, self.unit) {
-            (Some(given), Some(in_file)) if given != in_file => {
-                Err(contradiction("unit", given, in_file))
-            }
-            (given, in_file) => given.or(in_file).ok_or(TopographyError::UnitMissing),
-        }
+        let given = agree("unit", options.unit, options.units.as_ref().and(options.height_unit()))?;
+        agree("unit", given, self.unit)?.ok_or(TopographyError::UnitMissing)
     }
 
     fn pixel_size(
@@ -115,13 +166,14 @@ impl Scan {
         options: &ReadOptions,
         named: LengthUnit,
     ) -> Result<[f64; 2], TopographyError> {
-        let unit = named.metres();
-        let given = options.pixel_size.map(|size| size.map(|size| size.in_unit(named) * unit));
-        let in_file = match self.pixel_size {
-            PixelSize::Unknown => None,
-            PixelSize::InUnit(size) => Some(size.map(|size| size * unit)),
-            PixelSize::Metres(size) => Some(size),
+        let metres = |size: Distance, unit: Option<LengthUnit>| {
+            size.unit
+                .or(unit)
+                .map_or(size.value * named.metres(), |unit| size.value * unit.metres())
         };
+        let lateral = [0, 1].map(|axis| options.lateral(axis));
+        let of = |size: [Distance; 2]| [metres(size[0], lateral[0]), metres(size[1], lateral[1])];
+        let (given, in_file) = (options.pixel_size.map(of), self.pixel_size.map(of));
         if let (Some(given), Some(in_file)) = (given, in_file) {
             // A profile uses the first only.
             let axes = if self.heights.len() == self.columns { 1 } else { 2 };
@@ -133,6 +185,58 @@ impl Scan {
             }
         }
         in_file.or(given).ok_or(TopographyError::PixelSizeMissing)
+    }
+}
+
+/// Whether a height is a number that marks missing points, up to the digits that files print.
+pub(super) fn is_code(height: f64, code: f64) -> bool {
+    (height - code).abs() <= 1e-5 * code.abs()
+}
+
+/// The share of points that have a height exactly, from which it may mark missing points.
+const CODED: f64 = 0.01;
+/// The fewest heights among which a code is looked for.
+const FEWEST: usize = 50;
+
+/// Refuses heights whose lowest or highest value is exactly that of many points, apart from those of
+/// all others: it may mark missing points.
+fn refuse_code(heights: &[f64]) -> Result<(), TopographyError> {
+    let measured = || heights.iter().copied().filter(|z| !z.is_nan());
+    let n = measured().count();
+    for end in
+        [measured().fold(f64::INFINITY, f64::min), measured().fold(f64::NEG_INFINITY, f64::max)]
+    {
+        let count = measured().filter(|z| *z == end).count();
+        if n < FEWEST || (count as f64) < CODED * n as f64 || n - count < FEWEST {
+            continue;
+        }
+        let mut rest: Vec<f64> = measured().filter(|z| *z != end).collect();
+        rest.sort_unstable_by(f64::total_cmp);
+        // Terraces and coarse steps repeat other heights as well.
+        let repeated = rest.chunk_by(|a, b| a == b).any(|same| 3 * same.len() > count);
+        let at = |share: f64| rest[(share * (rest.len() - 1) as f64) as usize];
+        let gap = (end - at(0.0)).abs().min((end - at(1.0)).abs());
+        if !repeated && gap > 0.5 * (at(0.84) - at(0.16)) {
+            let percent = 100.0 * count as f64 / n as f64;
+            let found = format!("{end:?} at {percent:.2} % of the points, apart from all others");
+            let choice = format!("{end:?} if it marks missing points, nan if it is a height");
+            return Err(undecided("heights".into(), found, "missing", &choice));
+        }
+    }
+    Ok(())
+}
+
+/// What an option or the file states; both must be equal.
+pub(super) fn agree<T: Display + PartialEq>(
+    option: &'static str,
+    given: Option<T>,
+    in_file: Option<T>,
+) -> Result<Option<T>, TopographyError> {
+    match (given, in_file) {
+        (Some(given), Some(in_file)) if given != in_file => {
+            Err(contradiction(option, given, in_file))
+        }
+        (given, in_file) => Ok(given.or(in_file)),
     }
 }
 
@@ -157,6 +261,12 @@ pub(super) fn positive<T: Into<f64> + Display + Copy>(
     let value = found.into();
     let wrong = || refuse(field, found, "a finite number above 0");
     (value.is_finite() && value > 0.0).then_some(value).ok_or_else(wrong)
+}
+
+/// Rows as columns.
+pub(super) fn transposed(heights: &[f64], columns: usize) -> Vec<f64> {
+    let rows = heights.len() / columns;
+    (0..heights.len()).map(|at| heights[at % rows * columns + at / rows]).collect()
 }
 
 /// Reverses every row.
@@ -204,8 +314,9 @@ pub(super) fn select(
 mod tests {
     use super::*;
 
-    fn scan(unit: Option<LengthUnit>, pixel_size: PixelSize) -> Scan {
-        Scan { heights: vec![1.0, 2.0, f64::NAN, 4.0], columns: 2, unit, pixel_size, notes: vec![] }
+    fn scan(unit: Option<LengthUnit>, pixel_size: Option<[Distance; 2]>) -> Scan {
+        let heights = vec![1.0, 2.0, f64::NAN, 4.0];
+        Scan { heights, columns: 2, unit, pixel_size, ..Scan::default() }
     }
 
     fn message(scan: Scan, options: &ReadOptions) -> String {
@@ -216,11 +327,11 @@ mod tests {
     fn missing_units_and_pixel_sizes_are_requested() {
         let options = ReadOptions { max_missing: 0.5, ..ReadOptions::default() };
         let unit = Some(LengthUnit::Nanometre);
-        assert!(message(scan(None, PixelSize::Unknown), &options).contains("give unit"));
-        assert!(message(scan(unit, PixelSize::Unknown), &options).contains("give pixel_size"));
+        assert!(message(scan(None, None), &options).contains("give unit"));
+        assert!(message(scan(unit, None), &options).contains("give pixel_size"));
         // The pixel size given is in the unit of the heights.
         let options = ReadOptions { pixel_size: Some([2.0, 3.0].map(Distance::from)), ..options };
-        let surface = scan(unit, PixelSize::Unknown).topography(&options).unwrap();
+        let surface = scan(unit, None).topography(&options).unwrap();
         assert!((surface.pixel_size()[1] / 3e-9 - 1.0).abs() < 1e-15);
         assert!((surface.heights()[3] / 4e-9 - 1.0).abs() < 1e-15);
         assert!(surface.heights()[2].is_nan());
@@ -232,17 +343,17 @@ mod tests {
             unit: Some(LengthUnit::Micrometre),
             pixel_size: Some([Distance::from(2.0); 2]),
             max_missing: 0.5,
-            channel: None,
+            ..ReadOptions::default()
         };
-        let in_nm = scan(Some(LengthUnit::Nanometre), PixelSize::Unknown);
-        let finer = scan(None, PixelSize::Metres([2e-6, 1e-6]));
+        let in_nm = scan(Some(LengthUnit::Nanometre), None);
+        let finer = scan(None, Some([2e-6, 1e-6].map(Distance::metre)));
         for (other, named) in [(in_nm, "unit"), (finer, "pixel_size")] {
             let refused = other.topography(&options);
             assert!(
                 matches!(refused, Err(TopographyError::Contradiction { option, .. }) if option == named)
             );
         }
-        let same = scan(Some(LengthUnit::Micrometre), PixelSize::InUnit([2.0004, 2.0]));
+        let same = scan(Some(LengthUnit::Micrometre), Some([2.0004, 2.0].map(Distance::from)));
         let surface = same.topography(&options).unwrap();
         assert!((surface.pixel_size()[0] / 2.0004e-6 - 1.0).abs() < 1e-15);
     }
@@ -251,7 +362,7 @@ mod tests {
     fn missing_points_are_refused_above_their_share() {
         let some = |max_missing| {
             let options = ReadOptions { max_missing, ..ReadOptions::default() };
-            scan(Some(LengthUnit::Metre), PixelSize::InUnit([1.0; 2])).topography(&options)
+            scan(Some(LengthUnit::Metre), Some([Distance::from(1.0); 2])).topography(&options)
         };
         assert!(some(0.25).is_ok());
         assert!(matches!(some(0.1), Err(TopographyError::TooManyMissing { share: 0.25, .. })));

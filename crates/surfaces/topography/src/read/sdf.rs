@@ -3,7 +3,7 @@
 //! The layout follows the readers of Gwyddion, surfalize and sdfio, not the standard.
 
 use super::sample::Sample;
-use super::scan::{PixelSize, Scan, points, positive};
+use super::scan::{Scan, points, positive};
 use crate::error::refuse;
 use crate::{LengthUnit, TopographyError};
 
@@ -32,8 +32,8 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let dy = if header.rows == 1 { dx } else { positive("sdf Yscale", y)? };
     let scale = positive("sdf Zscale", z)?;
     let heights = heights.into_iter().map(|height| height * scale).collect();
-    let (columns, unit) = (header.columns as usize, Some(LengthUnit::Metre));
-    Ok(Scan { heights, columns, unit, pixel_size: PixelSize::Metres([dx, dy]), notes: vec![] })
+    let unit = Some(LengthUnit::Metre);
+    Ok(Scan::new(heights, header.columns as usize, unit, [dx, dy]))
 }
 
 /// The fields of a header. Lengths are in m.

@@ -9,13 +9,10 @@ use std::io::Read;
 use asperity_core::Finding;
 use flate2::read::ZlibDecoder;
 
+use super::lines::text;
 use super::sample::Sample;
-use super::scan::{
-    DEFLATE_RATIO, PixelSize, Scan, mirror_columns, mirror_rows, points, positive, select,
-};
-use super::table::decode;
+use super::scan::{DEFLATE_RATIO, Scan, mirror_columns, mirror_rows, points, positive, select};
 use crate::error::{damaged, refuse};
-use crate::unit::unit;
 use crate::{LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"DIGITAL SURF";
@@ -154,8 +151,7 @@ impl<'a> Object<'a> {
                 .fact("the file marks its heights as inverted, and they are turned over")
                 .advice("check the sign of the skewness, because programs differ here")
         }));
-        let pixel_size = PixelSize::Metres(pixel_size);
-        Ok(Scan { heights, columns: *columns, unit: Some(unit), pixel_size, notes })
+        Ok(Scan { notes, ..Scan::new(heights, *columns, Some(unit), pixel_size) })
     }
 }
 
@@ -190,15 +186,16 @@ impl Header<'_> {
     /// Text of a fixed length, in UTF-8 or Latin 1, filled up with zeros or spaces.
     fn text(&self, at: usize, length: usize) -> String {
         let bytes = self.0[at..at + length].split(|byte| *byte == 0).next().unwrap_or_default();
-        decode(bytes).trim().to_owned()
+        text(bytes).trim().to_owned()
     }
 
     fn unit(&self, at: usize, field: &'static str) -> Result<LengthUnit, TopographyError> {
         let name = self.text(at, 16);
         // Old files have the MS-DOS code of µ, which is æ in Latin 1.
         let symbol = if name == "\u{e6}m" { "um" } else { &name };
-        unit(symbol)
-            .ok_or_else(|| refuse(format!("sur {field}"), format!("{name:?}"), "a unit of length"))
+        symbol
+            .parse()
+            .map_err(|_| refuse(format!("sur {field}"), format!("{name:?}"), "a unit of length"))
     }
 }
 

@@ -1,273 +1,383 @@
-//! Parser of text to a table of numbers: a header, then rows of equal length.
+//! Tables of numbers as surfaces: a matrix, a matrix with axes, or columns of points.
 
-use crate::error::{at_most, refuse_line};
-use crate::{MAX_POINTS, TopographyError};
+use super::blocks::Block;
+use super::header::{Header, no_unit};
+use super::lines::{COMMENT, Delimiter, value};
+use super::points::grid;
+use super::profile::profile;
+use super::scan::{ReadOptions, Scan, agree, is_code, mirror_rows, points, transposed};
+use super::words::{meanings, named, unit_meaning};
+use crate::error::{excerpt, refuse, refuse_line, undecided};
+use crate::{Distance, LengthUnit, TopographyError};
 
-/// A table of numbers; NaN for missing values.
-pub(super) struct NumberTable {
-    /// Lines before the first row, with their numbers.
-    pub(super) header: Vec<(usize, String)>,
-    pub(super) values: Vec<f64>,
-    pub(super) columns: usize,
-    pub(super) delimiter: Delimiter,
-    /// Whether a delimiter ends each row.
-    closed: bool,
-    /// The decimal separator, once a row has shown it.
-    decimal: Option<u8>,
+/// How the columns of a table are read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Layout {
+    /// A row of heights to a line.
+    Matrix,
+    /// A matrix with positions in its first column, in its first row, or in both.
+    Axes,
+    /// The columns of x, y, z and of validity.
+    Columns([Option<usize>; 4]),
 }
 
-/// The separator of the fields of a line; a space stands for any number of blanks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Delimiter(pub(super) u8);
+/// The values of the option `columns`.
+const LAYOUTS: &str = "matrix (all are heights), axes (the first are positions), the number of the column of heights, or a list such as x,y,z,-";
 
-impl Delimiter {
-    /// The delimiter of the first row. Commas within numbers between spaces are decimal commas, as
-    /// beside semicolons or tabs.
-    fn detect(line: &[u8]) -> Self {
-        // Whole numbers have none; beside a separator, a comma stands at the end of a word.
-        let decimal = |word: &[u8]| {
-            !word.starts_with(b",") && !word.ends_with(b",") && value(word, true).is_some()
-        };
-        let mut words = Self(b' ').fields(line);
-        Self(match () {
-            () if line.contains(&b';') => b';',
-            () if line.trim_ascii().contains(&b'\t') => b'\t',
-            () if line.contains(&b',') && words.clone().count() > 1 && words.all(decimal) => b' ',
-            () if line.contains(&b',') => b',',
-            () => b' ',
-        })
+/// The surface in a block.
+pub(super) fn scan(
+    mut block: Block,
+    header: &Header,
+    options: &ReadOptions,
+) -> Result<Scan, TopographyError> {
+    if let [Some(x), Some(y)] = header.points()?
+        && x.checked_mul(y) == Some(block.values.len())
+        && (block.ragged.is_some() || x % block.columns == 0)
+    {
+        // Lines of a grid may be broken.
+        (block.columns, block.ragged) = (x, None);
     }
-
-    fn parts(self, byte: u8) -> bool {
-        byte == self.0 || self.0 == b' ' && byte.is_ascii_whitespace()
+    if let Some(error) = block.ragged.take() {
+        return Err(error);
     }
-
-    /// The fields of a line, without the spaces around them.
-    pub(super) fn fields(self, line: &[u8]) -> impl Iterator<Item = &[u8]> + Clone {
-        line.split(move |byte| self.parts(*byte))
-            .map(<[u8]>::trim_ascii)
-            .filter(move |field| self.0 != b' ' || !field.is_empty())
-    }
-
-    /// The line without its trailing delimiter, if it has one.
-    fn open(self, line: &[u8]) -> Option<&[u8]> {
-        let (last, rest) = line.split_last()?;
-        (self.0 != b' ' && self.parts(*last)).then_some(rest)
-    }
-}
-
-impl NumberTable {
-    /// # Errors
-    /// [`TopographyError`] when there is no row of numbers, when rows differ in length, when a
-    /// field is neither a number nor a mark of a missing point, or when there are too many values.
-    pub(super) fn parse(bytes: &[u8]) -> Result<Self, TopographyError> {
-        let mut header = Vec::new();
-        let mut rows: Option<Self> = None;
-        for (index, line) in bytes.split(|byte| *byte == b'\n').enumerate() {
-            let (number, line) = (index + 1, line.strip_suffix(b"\r").unwrap_or(line));
-            if line.trim_ascii().is_empty() || rows.is_some() && line.starts_with(b"#") {
-                continue;
-            }
-            // A number alone above rows of several counts them.
-            let counted = |rows: &Self| rows.values.len() == 1 && Self::new(line, 0).columns > 1;
-            if rows.as_ref().is_some_and(counted) {
-                rows = None;
-            }
-            match &mut rows {
-                Some(rows) => rows.add(number, line)?,
-                None if is_row(line) => {
-                    rows.insert(Self::new(line, bytes.len())).add(number, line)?;
-                }
-                None => header.push((number, decode(line))),
-            }
-        }
-        let Some(rows) = rows else {
-            let (line, found) = header.into_iter().next().unwrap_or((1, String::new()));
-            return Err(refuse_line(line, &found, "a row of numbers in this line or below"));
-        };
-        Ok(Self { header, ..rows })
-    }
-
-    /// No rows, with the delimiter and the number of columns of the first row.
-    fn new(line: &[u8], bytes: usize) -> Self {
-        let delimiter = Delimiter::detect(line);
-        let open = delimiter.open(line);
-        let columns = delimiter.fields(open.unwrap_or(line)).count();
-        // Capacity for rows as long as the first; no row has more fields than bytes.
-        let expected = (bytes / (line.len() + 1) + 1) * columns;
-        let values = Vec::with_capacity(expected.min(MAX_POINTS));
-        let closed = open.is_some();
-        Self { header: vec![], values, columns, delimiter, closed, decimal: None }
-    }
-
-    fn add(&mut self, number: usize, line: &[u8]) -> Result<(), TopographyError> {
-        let start = self.values.len();
-        let open = if self.closed { self.delimiter.open(line) } else { None };
-        let line = open.unwrap_or(line);
-        let comma = self.delimiter.0 != b',';
-        for field in self.delimiter.fields(line) {
-            self.values.push(value(field, comma).ok_or_else(|| {
-                let required = match comma {
-                    true => "a finite number, or nan,",
-                    false => "a finite number with a decimal point, or nan,",
-                };
-                refuse_line(number, &decode(field), required)
-            })?);
-        }
-        for mark in [b'.', b','].into_iter().filter(|mark| comma && line.contains(mark)) {
-            if *self.decimal.get_or_insert(mark) != mark {
-                let required = "one decimal separator, a point or a comma, in all rows";
-                return Err(refuse_line(number, &decode(line), required));
-            }
-        }
-        let (found, required) = (self.values.len() - start, self.columns);
-        if found != required {
-            return Err(TopographyError::RowLength { line: number, found, required });
-        }
-        let size = self.values.len() as u64;
-        at_most("the number of values in the text", size, 3 * MAX_POINTS as u64)
-    }
-
-    /// Removes a third column without values, as after `1.5,2.5,,`.
-    pub(super) fn drop_empty(&mut self) {
-        let empty = || self.values.chunks(3).all(|row| row.last().is_some_and(|z| z.is_nan()));
-        if self.columns == 3 && empty() {
-            self.drop_column(2);
-        }
-    }
-
-    /// Removes a column.
-    pub(super) fn drop_column(&mut self, column: usize) {
-        let mut places = (0..self.columns).cycle();
-        self.values.retain(|_| places.next() != Some(column));
-        self.columns -= 1;
-    }
-
-    /// NaN in the second column where the third is 0.
-    pub(super) fn drop_invalid(&mut self) {
-        for row in self.values.chunks_mut(self.columns) {
-            if let [_, height, valid] = row
-                && *valid == 0.0
-            {
-                *height = f64::NAN;
-            }
-        }
-    }
-}
-
-/// Whether a line can be the first row: all fields are values, and not all are marks such as `---`,
-/// which may underline a header.
-fn is_row(line: &[u8]) -> bool {
-    let delimiter = Delimiter::detect(line);
-    let number = |field: &[u8]| value(field, delimiter.0 != b',').is_some();
-    delimiter.fields(line).all(number)
-        && delimiter.fields(line).any(|field| field.iter().any(u8::is_ascii_alphanumeric))
-}
-
-/// A finite number, NaN for a missing point, `None` for any other text. The decimal separator is a
-/// point or, if `comma`, a comma.
-fn value(field: &[u8], comma: bool) -> Option<f64> {
-    let text = std::str::from_utf8(field).ok()?;
-    let number = match text.parse::<f64>() {
-        Err(_) if comma && text.matches([',', '.']).count() == 1 => text.replace(',', ".").parse(),
-        number => number,
+    let corner = take_positions(&mut block)?;
+    let names = names(&block);
+    let layout = match &options.columns {
+        Some(columns) => by_option(columns, &names)?,
+        None => match by_names(&names)? {
+            Some(layout) => layout,
+            None => by_numbers(&block, header)?,
+        },
     };
-    match number {
-        Ok(number) if number.is_infinite() => None,
-        Ok(number) => Some(number),
-        Err(_) => {
-            let marks = field.iter().all(|byte| matches!(byte, b'*' | b'-'));
-            let names = ["bad", "null", "none", "na", "n/a", "nodata", "1.#qnan"];
-            let missing = marks || names.iter().any(|name| text.eq_ignore_ascii_case(name));
-            missing.then_some(f64::NAN)
+    let mut scan = match layout {
+        Layout::Columns(columns) => positions(block, columns, &names, header, options)?,
+        Layout::Axes => axes(block, corner, header, options)?,
+        Layout::Matrix => matrix(block.values, block.columns, header, options)?,
+    };
+    for code in header.missing() {
+        scan.heights.iter_mut().filter(|z| is_code(**z, *code)).for_each(|z| *z = f64::NAN);
+    }
+    if header.has_unit_of_factor() || scan.unit.is_none() {
+        scan.unit = header.unit()?;
+    }
+    scan.factor = header.factor(scan.unit.or(options.height_unit()).is_some())?;
+    Ok(scan)
+}
+
+/// Makes positions over the columns, in a line such as `y\x,0.0,0.5,1.0`, the first row, and returns
+/// the name before them.
+///
+/// # Errors
+/// [`TopographyError::Content`] for a line of numbers that is no row.
+fn take_positions(block: &mut Block) -> Result<Option<Column>, TopographyError> {
+    let Some((number, text)) = block.header.last() else { return Ok(None) };
+    let (n, comma) = (block.columns, block.delimiter.decimal_comma());
+    let fields: Vec<_> = block.delimiter.fields(text.as_bytes()).collect();
+    let numbers: Vec<f64> = fields.iter().filter_map(|field| value(field, comma)).collect();
+    if fields.len() == n && numbers.len() + 1 == n && step(&numbers).is_some() {
+        let corner = Column::new(&String::from_utf8_lossy(fields[0]));
+        block.values.splice(..0, std::iter::once(f64::NAN).chain(numbers));
+        return Ok(Some(corner));
+    }
+    if n > 3 && 2 * numbers.len() >= n && block.is_like(text) && !text.starts_with(COMMENT) {
+        return Err(refuse_line(*number, text, "a row of finite numbers, or nan,"));
+    }
+    Ok(None)
+}
+
+/// The name of a column.
+#[derive(Debug, Clone, Default)]
+struct Column {
+    name: String,
+    /// `x`, `y`, `z`, `index`, `valid`, `-` for what is no height, or empty.
+    role: &'static str,
+    unit: Option<String>,
+}
+
+impl Column {
+    fn new(text: &str) -> Self {
+        let (name, unit) = named(text);
+        let digits = |c: char| c.is_ascii_digit();
+        let names = [name, name.trim_end_matches(digits)];
+        let role = names.iter().find_map(|name| meanings("column", name).first().copied());
+        let role = role.filter(|_| !name.is_empty() || text.trim().is_empty()).unwrap_or_default();
+        let other = role != "valid" && unit.and_then(unit_meaning) == Some("other");
+        let name = text.trim().trim_matches('"').to_owned();
+        Self { name, role: if other { "-" } else { role }, unit: unit.map(str::to_owned) }
+    }
+
+    fn known(&self) -> bool {
+        !self.role.is_empty() || self.unit.is_some()
+    }
+
+    fn unit(&self) -> Result<Option<LengthUnit>, TopographyError> {
+        let wrong = || refuse("column", format!("{:?}", self.name), "a unit of length");
+        self.unit.as_ref().map(|unit| unit.parse().map_err(|_| wrong())).transpose()
+    }
+}
+
+/// The names over the columns, with units from a second line.
+fn names(block: &Block) -> Vec<Column> {
+    let mut names = vec![Column::default(); block.columns];
+    for (nth, (_, line)) in block.header.iter().rev().take(3).enumerate() {
+        let found = names_in(line.trim_start_matches(COMMENT), block, nth).unwrap_or_default();
+        for (name, found) in names.iter_mut().zip(found) {
+            let Column { name: text, role, unit } = std::mem::replace(name, found);
+            if !role.is_empty() {
+                (name.name, name.role) = (text, role);
+            }
+            name.unit = unit.or(name.unit.take());
+        }
+    }
+    names
+}
+
+/// The names in a line, the `nth` above the rows, if it names the columns.
+fn names_in(line: &str, block: &Block, nth: usize) -> Option<Vec<Column>> {
+    let n = block.columns;
+    let by = |delimiter: Delimiter| {
+        let fields = delimiter.fields(line.as_bytes()).map(String::from_utf8_lossy);
+        let mut names: Vec<_> = fields.map(|name| Column::new(&name)).collect();
+        // A delimiter may end the line.
+        if names.len() == n + 1 {
+            names.pop_if(|last| last.name.is_empty());
+        }
+        names
+    };
+    let bracketed = line.split_inclusive([']', ')']).map(Column::new).collect();
+    let alone = if n == 1 && nth == 0 { vec![Column::new(line)] } else { vec![] };
+    let spaces = Delimiter(b' ');
+    let splits = [(block.delimiter == spaces, by(block.delimiter)), (false, by(Delimiter(b',')))];
+    let splits = splits.into_iter().chain([(false, bracketed), (true, by(spaces)), (false, alone)]);
+    let names_all = |(spaced, names): &(bool, Vec<Column>)| {
+        let known = names.iter().filter(|name| name.known()).count();
+        let count = |role: &str| names.iter().filter(|name| name.role == role).count();
+        let places = ["x", "y", "z"].map(count);
+        // Spaces may part the words of a sentence, too.
+        names.len() == n
+            && match spaced {
+                true => known == n && places.iter().all(|count| *count < 2),
+                false => known == n || n < 4 && known > 0 || !places.contains(&0),
+            }
+    };
+    splits.into_iter().find(names_all).map(|(_, names)| names)
+}
+
+/// The layout of the option `columns`.
+fn by_option(text: &str, names: &[Column]) -> Result<Layout, TopographyError> {
+    let n = names.len();
+    let roles: Vec<_> = text.split(',').map(str::trim).collect();
+    let place = |role: &str| roles.iter().position(|found| found.eq_ignore_ascii_case(role));
+    let at = |role: &str| names.iter().position(|column| column.role == role);
+    Ok(match (text.trim(), text.trim().parse::<usize>()) {
+        ("matrix", _) => Layout::Matrix,
+        ("axes", _) => Layout::Axes,
+        (_, Ok(k)) if (1..=n).contains(&k) => {
+            Layout::Columns([at("x").filter(|x| x + 1 != k), None, Some(k - 1), at("valid")])
+        }
+        _ if roles.len() == n && place("z").is_some() => {
+            Layout::Columns([place("x"), place("y"), place("z"), at("valid")])
+        }
+        _ => {
+            let names = format!("for {n} columns {LAYOUTS}");
+            let (field, found) = ("columns", excerpt(text));
+            return Err(TopographyError::UnknownName { field, found, names });
+        }
+    })
+}
+
+/// The layout that the names of the columns state.
+fn by_names(names: &[Column]) -> Result<Option<Layout>, TopographyError> {
+    let of = |role: &str| -> Vec<usize> {
+        (0..names.len()).filter(|k| names[*k].role == role).collect()
+    };
+    let [x, y, z, other, index, valid] = ["x", "y", "z", "-", "index", "valid"].map(of);
+    // Beside x alone, y are heights.
+    let beside = || if x.is_empty() { vec![] } else { y.clone() };
+    let heights = [z, of("")].into_iter().find(|z| !z.is_empty()).unwrap_or_else(beside);
+    let placed = [&x, &y, &other, &index].iter().any(|columns| !columns.is_empty());
+    let shown = || names.iter().map(|name| excerpt(&name.name)).collect::<Vec<_>>().join(", ");
+    let place = || format!("columns {}", shown());
+    match heights[..] {
+        _ if !names.iter().any(Column::known) || !placed && heights.len() != 1 => Ok(None),
+        [z] => {
+            let y = y.first().copied().filter(|y| *y != z);
+            let columns = [x.first().copied(), y, Some(z), valid.first().copied()];
+            Ok(Some(Layout::Columns(columns)))
+        }
+        [] => Err(refuse(place(), "no heights", "a column of heights")),
+        _ if names.len() > 3 && x.is_empty() && other.is_empty() => Ok(None),
+        _ => {
+            let found = format!("{} of them may be heights", heights.len());
+            Err(undecided(place(), found, "columns", LAYOUTS))
         }
     }
 }
 
-/// UTF-8 text, or else Latin 1: instruments write µ in either.
-pub(super) fn decode(bytes: &[u8]) -> String {
-    match std::str::from_utf8(bytes) {
-        Ok(text) => text.to_owned(),
-        Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
+/// The layout of a table without names.
+fn by_numbers(block: &Block, header: &Header) -> Result<Layout, TopographyError> {
+    let (n, rows, values) = (block.columns, block.rows(), &block.values);
+    let place = || format!("the table from line {}", block.line);
+    let count = |k: &usize| rows > 9 && values[*k].total_cmp(&((rows - k - 1) as f64)).is_eq();
+    if let (1, Some(k)) = (n, (0..rows.min(4)).find(count)) {
+        let found = format!("{:?} before {} heights", &values[..=k], rows - k - 1);
+        let choice = format!("{} to leave out such counts and lengths", block.line + k);
+        return Err(undecided(place(), found, "skip_lines", &choice));
     }
+    let sized = header.has_size() || header.points()? != [None; 2];
+    match n {
+        1 => return Ok(Layout::Matrix),
+        2 if !sized => return Ok(Layout::Columns([Some(0), None, Some(1), None])),
+        3 if !sized => {
+            // A third column without values, as after `1.5,2.5,,`.
+            let empty = column(block, 2, 0).iter().all(|z| z.is_nan());
+            let [y, z] = if empty { [None, Some(1)] } else { [Some(1), Some(2)] };
+            return Ok(Layout::Columns([Some(0), y, z, None]));
+        }
+        _ if rows < 2 => return Ok(Layout::Matrix),
+        _ => {}
+    }
+    let framed = values[0].is_nan() && step(&values[1..n]).is_some();
+    if framed && step(&column(block, 0, 1)).is_some() {
+        return Ok(Layout::Axes);
+    }
+    let axis = |first: &[f64], second: &[f64]| {
+        first.len() > 4 && step(first).is_some() && deviation(second) > 0.5
+    };
+    let cloud = || {
+        let points = values.chunks(n).flat_map(|row| row.iter().take(3)).copied().collect();
+        grid(points).is_ok_and(|(heights, ..)| heights.len() == rows)
+    };
+    let found = match () {
+        () if n < 8 && rows > 8 && cloud() => "columns 1 and 2 are the points of a grid",
+        () if axis(&column(block, 0, 1), &column(block, 1, 1)) => "column 1 has equal steps",
+        () if axis(&values[1..n], &values[n + 1..2 * n]) => "the first row has equal steps",
+        () => return Ok(Layout::Matrix),
+    };
+    Err(undecided(place(), found.to_owned(), "columns", LAYOUTS))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+fn column(block: &Block, at: usize, from: usize) -> Vec<f64> {
+    block.values.chunks(block.columns).skip(from).map(|row| row[at]).collect()
+}
 
-    #[test]
-    fn rows_with_whole_numbers_among_decimal_commas_are_rows() {
-        let text = b"0,1 0,5 1 0,3\n0,2 0,4 0,7 0,9\n1 2 3 4\n";
-        let table = NumberTable::parse(text).unwrap();
-        assert!(table.header.is_empty());
-        assert_eq!((table.columns, table.values.len(), table.values[2]), (4, 12, 1.0));
-        // A comma at the end of a word separates.
-        assert_eq!(NumberTable::parse(b"1, 2, 3\n4, 5, 6\n").unwrap().columns, 3);
-        assert_eq!(NumberTable::parse(b"1.5 ,2.5 ,3\n").unwrap().columns, 3);
+/// The largest distance of numbers from a line through the first and the last, in steps of the line.
+fn deviation(values: &[f64]) -> f64 {
+    let (Some(first), Some(last)) = (values.first(), values.last()) else { return f64::INFINITY };
+    let step = (last - first) / (values.len() - 1) as f64;
+    let off = |(k, value): (usize, &f64)| ((value - first) / step - k as f64).abs();
+    // NaN is the largest of all.
+    values.iter().enumerate().map(off).max_by(f64::total_cmp).unwrap_or(f64::NAN)
+}
+
+/// The step of positions, rising or falling: at least two numbers at equal distances.
+fn step(values: &[f64]) -> Option<f64> {
+    let step = (values.last()? - values.first()?) / (values.len().max(2) - 1) as f64;
+    (deviation(values) < 0.1 && step != 0.0 && step.is_finite()).then_some(step)
+}
+
+/// A matrix with positions in its first row, in its first column, or in both.
+fn axes(
+    block: Block,
+    corner: Option<Column>,
+    header: &Header,
+    options: &ReadOptions,
+) -> Result<Scan, TopographyError> {
+    let (n, place) = (block.columns, format!("the table from line {}", block.line));
+    let top = Some(&block.values[1..n]).filter(|row| step(row).is_some());
+    let side = Some(column(&block, 0, top.is_some().into())).filter(|side| step(side).is_some());
+    let (first, skip) = (usize::from(top.is_some()), usize::from(side.is_some()));
+    if first + skip == 0 {
+        return Err(refuse(place, "no axis", "a first row or column of equal steps"));
     }
-
-    #[test]
-    fn decimal_commas_are_read_where_commas_do_not_separate() {
-        for text in ["1,5;2\n-3,25e1;4\n", "1,5\t2\n-3,25e1\t4", "1,5 2,0\n-3,25e1 4\n"] {
-            assert_eq!(values(text), (2, vec![1.5, 2.0, -32.5, 4.0]), "{text}");
-        }
-        assert_eq!(values("1,5\n2,5\n"), (2, vec![1.0, 5.0, 2.0, 5.0]));
-        let both = message(b"1,5;2\n3.5;4\n");
-        assert!(both.starts_with("line 2: \"3.5;4\""), "{both}");
-        assert!(message(b"1;2\n3;1,5,5\n").starts_with("line 2: \"1,5,5\" was found"));
-    }
-
-    #[test]
-    fn a_count_above_the_rows_is_a_header() {
-        assert_eq!(values("um um\n2\n1, 2\n3, 4\n"), (2, vec![1.0, 2.0, 3.0, 4.0]));
-        assert_eq!(values("1\n2\n3\n"), (1, vec![1.0, 2.0, 3.0]));
-    }
-
-    fn values(text: &str) -> (usize, Vec<f64>) {
-        let table = NumberTable::parse(text.as_bytes()).unwrap();
-        (table.columns, table.values)
-    }
-
-    fn message(bytes: &[u8]) -> String {
-        NumberTable::parse(bytes).err().unwrap().to_string()
-    }
-
-    #[test]
-    fn the_first_row_sets_the_delimiter() {
-        for text in [
-            "1 2.5  3\n-4 5e1 6",
-            "1,2.5,3\r\n-4, 5e1 ,6\r\n",
-            "1\t2.5\t3\n-4\t5e1\t6\n",
-            "1;2.5;3;\n-4;5e1;6;\n",
-        ] {
-            assert_eq!(values(text), (3, vec![1.0, 2.5, 3.0, -4.0, 50.0, 6.0]), "{text}");
+    let mut cloud = Vec::with_capacity(3 * block.values.len());
+    for (i, row) in block.values.chunks(n).skip(first).enumerate() {
+        let y = if skip > 0 { row[0] } else { i as f64 };
+        for (j, z) in row.iter().enumerate().skip(skip) {
+            cloud.extend([if first > 0 { block.values[j] } else { j as f64 }, y, *z]);
         }
     }
-
-    #[test]
-    fn missing_points_have_several_marks() {
-        let (columns, found) = values("head, er\n1,nan,,NaN\n***,2,bad,--\n# later\n1,2,3,4");
-        assert_eq!((columns, found.len()), (4, 12));
-        let missing: Vec<_> = found.iter().map(|value| value.is_nan()).collect();
-        assert_eq!(missing[..8], [false, true, true, true, true, false, true, true]);
-        // A row of nan is a row, a row of dashes a header.
-        assert_eq!(values("nan nan\n1 2").1.len(), 4);
-        assert_eq!(values("a b\n--- ---\n1 2").1.len(), 2);
-    }
-
-    #[test]
-    fn invalid_tables_are_refused_with_the_line() {
-        assert!(message(b"").starts_with("line 1: \"\""));
-        assert!(message(b"some\nwords").starts_with("line 1: \"some\""));
-        let ragged = NumberTable::parse(b"h\n1 2 3\n1 2\n");
-        let wanted = |error: &_| {
-            matches!(error, TopographyError::RowLength { line: 3, found: 2, required: 3 })
+    let (heights, columns, steps) = grid(cloud)?;
+    let unit = corner.as_ref().map_or(Ok(None), Column::unit)?;
+    // Counts of rows and columns are no lengths.
+    let counts = |axis: &[f64]| {
+        let start = axis[0].min(axis[axis.len() - 1]);
+        (start * (start - 1.0)).abs() < 1e-9
+            && (step(axis).unwrap_or_default().abs() - 1.0).abs() < 1e-9
+    };
+    let counted = unit.is_none() && [top, side.as_deref()].into_iter().flatten().all(counts);
+    let mut pixel_size = header.pixel_size([columns, heights.len() / columns], options)?;
+    if pixel_size.is_none() && !counted && first + skip == 2 {
+        let side = |axis: usize| {
+            let unit =
+                agree("units", options.lateral(axis), unit.or(header.lateral(axis, options)?))?;
+            let unit = unit.ok_or_else(|| no_unit(place.clone(), "its axis"))?;
+            Ok::<_, TopographyError>(Distance { value: steps[axis], unit: Some(unit) })
         };
-        assert!(ragged.err().as_ref().is_some_and(wanted));
-        assert!(message(b"1 2\n3 inf\n").starts_with("line 2: \"inf\""));
-        assert!(message(b"1 2\n3 1e999\n").starts_with("line 2: \"1e999\""));
-        assert!(message(b"1 2\n3 \xff\xfe\n").starts_with("line 2: \"ÿþ\""));
-        assert!(message(b"\x00\x00\n").starts_with("line 1: \"\\0\\0\""));
+        pixel_size = Some([side(0)?, side(1)?]);
     }
+    Ok(Scan { heights, columns, pixel_size, ..Scan::default() })
+}
+
+/// A row of heights to a line; a single column is a profile.
+fn matrix(
+    values: Vec<f64>,
+    columns: usize,
+    header: &Header,
+    options: &ReadOptions,
+) -> Result<Scan, TopographyError> {
+    let (n, profile) = (values.len(), columns == 1);
+    let mut counts = if profile { [n, 1] } else { [columns, n / columns] };
+    points(counts[0] as u64, counts[1] as u64)?;
+    let mut heights = values;
+    if header.has("lines x") {
+        heights = transposed(&heights, columns);
+        counts.reverse();
+    }
+    if header.has("downwards") {
+        mirror_rows(&mut heights, counts[0]);
+    }
+    if !profile {
+        header.check(counts)?;
+    }
+    let pixel_size = header.pixel_size(counts, options)?;
+    Ok(Scan { heights, columns: counts[0], pixel_size, ..Scan::default() })
+}
+
+/// Points of a grid, or a profile.
+fn positions(
+    block: Block,
+    [x, y, z, valid]: [Option<usize>; 4],
+    names: &[Column],
+    header: &Header,
+    options: &ReadOptions,
+) -> Result<Scan, TopographyError> {
+    let of = |at: Option<usize>| at.map_or(Ok(None), |at| names[at].unit());
+    let side = |axis: usize, at: usize| agree("units", options.lateral(axis), of(Some(at))?);
+    let height = |row: &[f64]| match valid {
+        Some(valid) if row[valid] == 0.0 => f64::NAN,
+        _ => row[z.unwrap_or_default()],
+    };
+    let rows = block.values.chunks(block.columns);
+    let unit = of(z)?;
+    let scan = match (x, y) {
+        (Some(x), Some(y)) => {
+            let values = rows.flat_map(|row| [row[x], row[y], height(row)]).collect();
+            let (heights, columns, steps) = grid(values)?;
+            let units = [side(0, x)?, side(1, y)?];
+            if units[0].is_some() != units[1].is_some() {
+                let found = "a unit over one of the columns x and y";
+                return Err(refuse("header", found, "units over both or over neither"));
+            }
+            let size = [0, 1].map(|axis| Distance { value: steps[axis], unit: units[axis] });
+            Scan { heights, columns, pixel_size: Some(size), ..Scan::default() }
+        }
+        (Some(at), None) | (None, Some(at)) => {
+            let (places, heights) = rows.map(|row| (row[at], height(row))).unzip();
+            let (scan, value) = profile(places, heights)?;
+            Scan { pixel_size: Some([Distance { value, unit: side(0, at)? }; 2]), ..scan }
+        }
+        (None, None) => matrix(rows.map(height).collect(), 1, header, options)?,
+    };
+    Ok(Scan { unit, ..scan })
 }

@@ -9,7 +9,7 @@ use zip::ZipArchive;
 use super::npy;
 use super::points::grid;
 use super::profile::profile;
-use super::scan::{DEFLATE_RATIO, PixelSize, Scan, mirror_columns, mirror_rows, points};
+use super::scan::{DEFLATE_RATIO, Scan, mirror_columns, mirror_rows, points};
 use super::x3p_xml::{Data, Description};
 
 use crate::error::{damaged, excerpt, refuse};
@@ -81,14 +81,16 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
         let placed = |point: &&[f64]| point.iter().take(2).all(|place| !place.is_nan());
         let placed = numbers.chunks(3).filter(placed).flatten().copied().collect();
         let (heights, columns, pixel_size) = grid(placed)?;
-        let pixel_size = PixelSize::Metres(pixel_size);
-        return Ok(Scan { heights, columns, unit, pixel_size, notes: vec![] });
+        return Ok(Scan::new(heights, columns, unit, pixel_size));
     }
     let [Some(dx), Some(dy)] = description.increments else {
         let points = numbers.chunks(2).filter(|point| point.iter().all(|number| !number.is_nan()));
         let (places, heights) = points.map(|point| (point[0], point[1])).unzip();
         let (scan, step) = profile(places, heights)?;
-        return Ok(Scan { unit, pixel_size: PixelSize::Metres([step; 2]), ..scan });
+        return Ok(Scan {
+            notes: scan.notes,
+            ..Scan::new(scan.heights, scan.columns, unit, [step; 2])
+        });
     };
     let columns = columns as usize;
     if dx < 0.0 {
@@ -97,8 +99,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     if dy < 0.0 {
         mirror_rows(&mut numbers, columns);
     }
-    let pixel_size = PixelSize::Metres([dx.abs(), dy.abs()]);
-    Ok(Scan { heights: numbers, columns, unit, pixel_size, notes: vec![] })
+    Ok(Scan::new(numbers, columns, unit, [dx.abs(), dy.abs()]))
 }
 
 /// The folder of `main.xml` within the archive, and its text.

@@ -134,6 +134,34 @@ proptest! {
         measure("a.txt", &bytes);
     }
 
+    /// Cut, doubled and other bytes: heights of another size than the header states are refused.
+    #[test]
+    fn garbled_text_keeps_its_size(at in 0..1500usize, length in 0..9usize, other in prop::collection::vec(any::<u8>(), 0..9), doubled in any::<bool>(), end in 0..3000usize) {
+        let head = "# File Format = ASCII\n# x-pixels = 9\n# y-pixels = 9\n# x-length = 9\n# y-length = 9\n# z-unit = nm\n";
+        let row = |row: &[f64]| row.iter().map(|z| format!("{z:.3}")).collect::<Vec<_>>().join("\t") + "\n";
+        let mut bytes = (head.to_owned() + &waves(9).chunks(9).map(row).collect::<String>()).into_bytes();
+        let (from, to) = (at.min(bytes.len()), (at + length).min(bytes.len()));
+        let new = if doubled { [&bytes[from..to]; 2].concat() } else { other };
+        bytes.splice(from..to, new);
+        bytes.truncate(end);
+        measure("a.txt", &bytes);
+        if let Ok(surface) = read_bytes("a.txt", &bytes, &lenient()) {
+            assert_eq!((surface.columns(), surface.rows()), (9, 9), "{:?}", String::from_utf8_lossy(&bytes));
+        }
+    }
+
+    /// A text without counts keeps its columns and has no row more.
+    #[test]
+    fn garbled_rows_are_refused(at in 0..700usize, other in any::<u8>()) {
+        let row = |row: &[f64]| row.iter().map(|z| format!("{z:.3}")).collect::<Vec<_>>().join(" ") + "\n";
+        let mut bytes = waves(9).chunks(9).map(row).collect::<String>().into_bytes();
+        let at = at % bytes.len();
+        bytes[at] = other;
+        let found = read_bytes("a.txt", &bytes, &lenient());
+        let size = found.map_or((9, 9), |surface| (surface.columns(), surface.rows()));
+        assert_eq!(size, (9, 9), "{:?}", String::from_utf8_lossy(&bytes));
+    }
+
     #[test]
     fn broken_xyz(bytes in broken(b"x_um y_um z_nm\n0 0 1\n1 0 4\n2 0 3\n0 1 7\n1 1 2\n2 1 8\n0 2 1\n1 2 9\n2 2 4\n".to_vec())) {
         measure("a.xyz", &bytes);

@@ -10,7 +10,7 @@ pub fn lenient() -> ReadOptions {
         unit: Some(LengthUnit::Micrometre),
         pixel_size: Some([Distance::from(1.0); 2]),
         max_missing: 1.0,
-        channel: None,
+        ..ReadOptions::default()
     }
 }
 
@@ -65,7 +65,7 @@ fn empty_and_foreign_files() {
         refused(name, b"\x00\x01\x02\x03", "required");
     }
     refused("a.bin", b"1 2\n\x00\x01", "of unknown format");
-    refused("a.txt", b"1 2\n\x02\x03", "read_topography('FILE').to_gwy('FILE.gwy')");
+    refused("a.spm", b"\x02\x03", "read_topography('FILE').to_gwy('FILE.gwy')");
     refused("a.jpg", b"\xff\xd8\xff\xe0 no surface", "a picture (JPEG)");
     refused("a.spm", b"\\*File list\r\n\x00", "format Bruker Nanoscope");
     refused("a.x3p", b"\\*File list\r\n\x00", "format Bruker Nanoscope");

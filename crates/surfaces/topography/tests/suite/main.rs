@@ -12,4 +12,5 @@ mod outliers;
 mod parameters;
 mod scale;
 mod spectra;
+mod texts;
 mod wording;

@@ -117,7 +117,7 @@ fn every_beginning_of_a_file_gives_an_error_or_fewer_rows() {
         unit: Some(LengthUnit::Micrometre),
         pixel_size: Some([5.0, 2.5].map(Distance::from)),
         max_missing: 1.0,
-        channel: None,
+        ..ReadOptions::default()
     };
     for (name, bytes) in files() {
         let text = name.ends_with(".txt") || name.ends_with(".csv") || name.ends_with(".xyz");

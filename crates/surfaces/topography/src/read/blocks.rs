@@ -1,0 +1,199 @@
+//! Blocks of a text: header lines and the table of numbers below them.
+
+use super::header::entry;
+use super::lines::{COMMENT, Delimiter, text, value};
+use super::scan::ReadOptions;
+use super::words::meanings;
+use crate::error::{at_most, refuse_line};
+use crate::{MAX_POINTS, TopographyError};
+
+/// Header lines, and rows of numbers; NaN for missing values.
+#[derive(Debug)]
+pub(super) struct Block {
+    /// Lines before the first row, with their numbers.
+    pub(super) header: Vec<(usize, String)>,
+    pub(super) values: Vec<f64>,
+    pub(super) columns: usize,
+    pub(super) delimiter: Delimiter,
+    /// The line of the first row.
+    pub(super) line: usize,
+    /// The first row that is longer or shorter than the first one.
+    pub(super) ragged: Option<TopographyError>,
+    /// Rows with a blank line before them, and their lines.
+    gaps: Vec<(usize, usize)>,
+    /// Whether a delimiter ends each row.
+    closed: bool,
+    /// The decimal separator, once a row has shown it.
+    decimal: Option<u8>,
+}
+
+/// The blocks of a text, at least one.
+///
+/// # Errors
+/// [`TopographyError`] when there is no row of numbers, when a field is neither a number nor a mark
+/// of a missing point, when a line behind the first row is neither a row nor a comment nor the
+/// header of another table, or when there are too many values.
+pub(super) fn blocks(bytes: &[u8], options: &ReadOptions) -> Result<Vec<Block>, TopographyError> {
+    let mut blocks: Vec<Block> = vec![];
+    let mut header: Vec<(usize, String)> = vec![];
+    // Keys of lines without a key, which follow a word.
+    let mut keys = vec![];
+    let mut blank = false;
+    let detect = |line: &[u8]| options.delimiter.map_or_else(|| Delimiter::detect(line), Delimiter);
+    let lines = bytes.split(|byte| *byte == b'\n').enumerate().skip(options.skip_lines);
+    for (number, line) in lines.map(|(index, line)| (index + 1, line)) {
+        let line = line.strip_suffix(b"\r").unwrap_or(line);
+        if line.trim_ascii().is_empty() {
+            blank = true;
+            continue;
+        }
+        if let Some(key) = keys.pop() {
+            header.push((number, format!("{key}: {}", text(line))));
+            continue;
+        }
+        // A number alone above rows of several counts them.
+        let several = || detect(line).is_row(line) && detect(line).fields(line).count() > 1;
+        if header.is_empty()
+            && let Some(count) = blocks.pop_if(|block| block.values.len() == 1 && several())
+        {
+            header = count.header;
+        }
+        let open = blocks.last_mut().filter(|_| header.is_empty());
+        let outside = match open {
+            Some(block) => match block.add(number, line, blank) {
+                Ok(()) => None,
+                Err(error) => {
+                    let line = text(line);
+                    let comment = line.starts_with(COMMENT);
+                    match entry(&line, block.delimiter).is_some_and(|entry| entry.known()) {
+                        false if comment => None,
+                        false if block.is_like(&line) => return Err(error),
+                        _ => Some(line),
+                    }
+                }
+            },
+            None if detect(line).is_row(line) => {
+                let mut block = Block::new(line, detect(line), bytes.len());
+                (block.header, block.line) = (std::mem::take(&mut header), number);
+                block.add(number, line, false)?;
+                blocks.push(block);
+                None
+            }
+            None => Some(text(line)),
+        };
+        if let Some(line) = outside {
+            let next = meanings("header", &line).iter().find_map(|key| key.strip_prefix("next="));
+            keys = next.map_or(vec![], |next| next.rsplit(';').collect());
+            header.push((number, line));
+        }
+        blank = false;
+    }
+    let Some(last) = blocks.last_mut() else {
+        let (line, found) = header.into_iter().next().unwrap_or((1, String::new()));
+        return Err(refuse_line(line, &found, "a row of numbers in this line or below"));
+    };
+    // Lines below the last table may belong to its header.
+    let stray = |line: &&(usize, String)| {
+        let known = entry(&line.1, last.delimiter).is_some_and(|entry| entry.known());
+        !known && !line.1.starts_with(COMMENT) && meanings("header", &line.1).is_empty()
+    };
+    if let Some((line, found)) = header.iter().find(stray) {
+        return Err(refuse_line(*line, found, "a row of numbers or a comment (#)"));
+    }
+    last.header.append(&mut header);
+    Ok(blocks)
+}
+
+impl Block {
+    /// No rows, with the number of columns of the first row.
+    fn new(line: &[u8], delimiter: Delimiter, bytes: usize) -> Self {
+        let open = delimiter.open(line);
+        let columns = delimiter.fields(open.unwrap_or(line)).count();
+        // Capacity for rows as long as the first; no row has more fields than bytes.
+        let expected = (bytes / (line.len() + 1) + 1) * columns;
+        let values = Vec::with_capacity(expected.min(MAX_POINTS));
+        let closed = open.is_some();
+        let (header, gaps) = (vec![], vec![]);
+        Self {
+            header,
+            values,
+            columns,
+            delimiter,
+            line: 0,
+            ragged: None,
+            gaps,
+            closed,
+            decimal: None,
+        }
+    }
+
+    pub(super) fn rows(&self) -> usize {
+        self.values.len() / self.columns
+    }
+
+    /// Whether a line that is no row seems to be a broken one.
+    pub(super) fn is_like(&self, line: &str) -> bool {
+        let as_many = self.delimiter.fields(line.as_bytes()).count() == self.columns;
+        as_many
+            || line
+                .trim_start_matches(['-', '+', '.', ' ', '"'])
+                .starts_with(|c: char| c.is_ascii_digit())
+    }
+
+    fn add(&mut self, number: usize, line: &[u8], blank: bool) -> Result<(), TopographyError> {
+        let start = self.values.len();
+        let open = if self.closed { self.delimiter.open(line) } else { None };
+        let line = open.unwrap_or(line);
+        let comma = self.delimiter.decimal_comma();
+        for field in self.delimiter.fields(line) {
+            let Some(value) = value(field, comma) else {
+                self.values.truncate(start);
+                return Err(refuse_line(
+                    number,
+                    &text(field),
+                    match comma {
+                        true => "a finite number, or nan,",
+                        false => "a finite number with a decimal point, or nan,",
+                    },
+                ));
+            };
+            self.values.push(value);
+        }
+        for mark in [b'.', b','].into_iter().filter(|mark| comma && line.contains(mark)) {
+            if *self.decimal.get_or_insert(mark) != mark {
+                let required = "one decimal separator, a point or a comma, in all rows";
+                return Err(refuse_line(number, &text(line), required));
+            }
+        }
+        let (found, required) = (self.values.len() - start, self.columns);
+        if found != required && self.ragged.is_none() {
+            self.ragged = Some(TopographyError::RowLength { line: number, found, required });
+        }
+        if blank {
+            self.gaps.push((start / self.columns, number));
+        }
+        at_most("the number of values in the text", self.values.len() as u64, 3 * MAX_POINTS as u64)
+    }
+
+    /// The tables of equal size that blank lines separate, if there are several; rows of points and
+    /// of profiles may be separated so.
+    pub(super) fn split(self) -> Vec<Self> {
+        let size = self.gaps.first().map_or(0, |(row, _)| *row);
+        let equal = (1..).zip(&self.gaps).all(|(k, (row, _))| *row == k * size);
+        let whole = size * (self.gaps.len() + 1) == self.rows();
+        if size < 2 || self.columns < 4 || !equal || !whole || self.ragged.is_some() {
+            return vec![self];
+        }
+        let lines = std::iter::once(self.line).chain(self.gaps.iter().map(|(_, line)| *line));
+        let tables = self.values.chunks(size * self.columns).zip(lines);
+        let part = |(values, line): (&[f64], usize)| Self {
+            header: self.header.clone(),
+            values: values.to_vec(),
+            line,
+            ragged: None,
+            gaps: vec![],
+            ..self
+        };
+        tables.map(part).collect()
+    }
+}
