@@ -8,7 +8,6 @@ use asperity_core::ContactError;
 use serde::de::value::{self, StrDeserializer};
 use serde::de::{DeserializeOwned, IntoDeserializer};
 
-
 /// How a program converts a file of another format.
 fn conversion(converter: Option<&str>) -> &'static str {
     match converter {
