@@ -98,7 +98,7 @@ fn factors_of_a_thousand_a_million_and_a_billion_are_reported() {
                 }
                 count += 1;
                 let found = scene.findings();
-                // A thousand times the area of a small joint is that of a large one: a note.
+                // A thousand times the area of a small joint makes a large one: a note.
                 let enough = match (input, factor) {
                     // A thousandth of it still holds some hundred asperities.
                     ("nominal_area", 1e3 | 1e-3) => Severity::Note,

@@ -30,7 +30,7 @@ struct Module {
     defines: BTreeSet<String>,
 }
 
-/// The lines of a file without those of its tests.
+/// The lines of a file without its tests.
 fn without_tests(text: &str) -> Vec<&str> {
     let (mut kept, mut lines) = (vec![], text.lines());
     while let Some(line) = lines.next() {

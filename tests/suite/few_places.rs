@@ -24,7 +24,7 @@ fn places(scene: &Scene) -> Vec<At> {
     [&loads[..], &pressures[..], &separations[..]].concat()
 }
 
-/// An error without its numbers, which may be those of another method.
+/// An error without its numbers, which another method may give.
 fn words(error: &impl ToString) -> String {
     error.to_string().replace(|c: char| c.is_ascii_digit(), "")
 }

@@ -46,7 +46,7 @@ fn jumps_of_the_other_laws_are_those_of_the_sheet() {
     assert!((jump(&ceb, 1.0) - 0.5).abs() < 1e-11 && jump(&ceb_area, 1.0).abs() < 1e-11);
     let [etsion, etsion_area] = laws("etsion");
     assert!(jump(&etsion, 1.0).abs() < 1e-11 && jump(&etsion_area, 1.0).abs() < 1e-11);
-    // Just above 1 its slope is 0, below that of Hertz.
+    // Just above 1 its slope is 0, below Hertz'.
     assert!(at(&etsion, 1.01) < 1.01f64.powf(1.5) && at(&etsion, 1.01) > 1.0);
     close(at(&etsion, 2.0), 2.32, 1e-12, "Etsion F at 2");
     close(at(&etsion_area, 101.0), 1.0 + 1.19 * 100f64.powf(1.1), 1e-12, "Etsion A at 101");

@@ -89,7 +89,7 @@ fn chapter(line: &str) -> Option<(&str, &str, Vec<&str>)> {
 /// `as code`, or a `list of` the code.
 fn markdown(part: &str) -> Result<String> {
     if part == "crates/answer/inputs/src/template.toml as code" {
-        // Its comments are those of the table of inputs.
+        // Its comments come from the table of inputs.
         return Ok(format!("```toml\n{}\n```\n", asperity_inputs::template()));
     }
     if let Some(path) = part.strip_suffix(" as code") {

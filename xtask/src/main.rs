@@ -1,7 +1,7 @@
 //! The tasks `figures`, `report`, `truth`, `docs`, `guide`, `page` and `dist` of `cargo xtask`.
 //!
 //! The figures and the documentation are compiled by default; `guide` and `page` start the program
-//! again with a feature, `report` and `truth` start that of the studies.
+//! again with a feature, `report` and `truth` start the studies' program.
 
 use std::ffi::OsString;
 use std::process::Command;
@@ -75,7 +75,7 @@ fn main() -> Result<()> {
             let quick = quick.then_some("--quick");
             return run(Command::new("bash").arg(root().join("xtask/dist.sh")).args(quick));
         }
-        // Times of a development build are not those of users.
+        // Users do not meet the times of a development build.
         Task::Report(study) => return start("report", &["--release"], &study),
         Task::Truth(study) => return start("truth", &[], &study),
         #[cfg(feature = "guide")]

@@ -24,7 +24,7 @@ impl Table {
     /// a curve.
     ///
     /// # Errors
-    /// When the number of fields differs from that of the columns, or a number is not finite.
+    /// When the number of fields differs from the number of columns, or a number is not finite.
     pub fn push(
         &mut self,
         words: &[&str],

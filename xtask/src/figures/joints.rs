@@ -70,7 +70,7 @@ pub fn stiffness_figure(_: &str) -> Result<Figure> {
 const CORRELATIONS: [(&str, usize, &str); 2] =
     [("cmy", 8, "CMY 1969, plastic"), ("mikic", 7, "Mikic 1974, elastic")];
 
-/// Conductance of every model and of the correlations where they hold, and over that of KE.
+/// Conductance of every model and of the correlations where they hold, and over KE's.
 pub fn conductance() -> Result<Table> {
     let mut scene = models::scene(1e-6)?;
     scene.interface.thermal_conductivity = Some(CONDUCTIVITY);
@@ -138,7 +138,7 @@ fn metal_scene(bodies: [[f64; 4]; 2]) -> Result<Scene> {
     Ok(Scene::new(Interface::between(&first, &second)?, surface, 1e-4))
 }
 
-/// Conductance of the models and correlations of each joint, and over that of CMY.
+/// Conductance of the models and correlations of each joint, and over CMY's.
 pub fn metals() -> Result<Table> {
     let pressures = geometric(1e5, 1e7, 61);
     let conductance = Quantity::ThermalConductancePerArea;

@@ -63,7 +63,7 @@ pub fn table() -> Result<Table> {
 /// Three panels with log axes.
 pub fn style(_: &str) -> Result<Figure> {
     let mut curves = curves(&MODELS)?;
-    // Gaps of AT are negative values; those of the others are jumps.
+    // Gaps of AT are negative values, gaps of the others jumps.
     curves.iter_mut().for_each(|curve| curve.join_gaps = curve.key != "at");
     let panel = |(column, label)| {
         let x = Axis::new(X, "interference over critical interference").log();

@@ -16,7 +16,7 @@ use crate::folder;
 /// The pictures by name, drawn from the tables in a folder.
 ///
 /// # Errors
-/// Tables that are missing or not those of the report.
+/// Tables that are missing or not the errors of the report.
 pub fn pictures(folder: &Path) -> Result<[(String, String); 2]> {
     let text = |name: &str| folder::read(&folder.join(name));
     let measured = text("speed-vs-error.md")?;

@@ -33,7 +33,7 @@ fn truth_table(which: usize) -> Result<Table> {
     truth::table(Evidence::committed()?, &TRUTH[which])
 }
 
-/// All figures: those of the paper first.
+/// All figures: the paper's first.
 pub const FIGURES: [FigureSpec; 23] = [
     ("fig04-force-roughness", || roughness(Force), |_| roughness_figure(Force)),
     ("fig05-force-models", || nine_models(Force), |_| models_figure(Force)),

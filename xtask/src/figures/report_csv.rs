@@ -30,7 +30,7 @@ pub fn read(text: &str) -> Result<Vec<Row>> {
     Ok(csv::Reader::from_reader(text.as_bytes()).deserialize().collect::<Result<_, _>>()?)
 }
 
-/// The columns before those of the methods.
+/// The columns before the methods'.
 pub const BEFORE: [&str; 6] =
     ["family", "case", "heights", "model", "quantity", "separation_over_sigma"];
 

@@ -15,7 +15,7 @@ use crate::AnswerError;
 use crate::models::grouped;
 use crate::subject::measured;
 
-/// The conductance of the contacts beside that of the gas.
+/// The conductance of the contacts beside the gas.
 const CONTACTS: Quantity = Quantity::ThermalConductancePerArea;
 
 /// A model on a scene, compiled once for the quantities that it has.
@@ -127,7 +127,7 @@ impl Asked {
     /// The model over its expected ratio to boundary elements.
     ///
     /// # Errors
-    /// Those of [`Corrected::of`], and the reason why no solved surface is like the scan.
+    /// The errors of [`Corrected::of`], and the reason why no solved surface is like the scan.
     pub fn corrected(&self, file: &SceneFile) -> Result<Corrected, ContactError> {
         let of_film = self.request.quantities.iter().filter(|quantity| quantity.is_of_film());
         let of_film = of_film.map(|quantity| {
@@ -139,7 +139,7 @@ impl Asked {
         Corrected::of(&self.model, contact, refused, file.surface_shape()?)
     }
 
-    /// The quantities that the model does not have, those of one reason together.
+    /// The quantities that the model does not have, by their reasons.
     #[must_use]
     pub fn refusals(&self) -> Vec<String> {
         // The id of the model stands in front of the text.

@@ -46,7 +46,7 @@ pub struct Press<'a> {
     pub bem: &'a Bem,
     /// Loads or gaps.
     pub given: &'a [LoadCase],
-    /// Quantities besides those of every solution.
+    /// Quantities besides what every solution has.
     pub quantities: &'a [Quantity],
     /// The fluid whose flow in both directions is asked for.
     pub leak: Option<Leak>,

@@ -16,7 +16,7 @@ const STEPS: usize = 50;
 /// The paths of a new joint between turning points by each law; results have the work of each.
 ///
 /// # Errors
-/// Those of [`Joint::path`].
+/// The errors of [`Joint::path`].
 pub fn history(
     subject: &Subject<'_>,
     laws: &[UnloadingLaw],

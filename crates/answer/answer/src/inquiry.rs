@@ -260,7 +260,7 @@ const FILMS: [&str; 2] = ["film_m", "lambda"];
 /// The ends of an interval.
 pub const ENDS: [&str; 2] = ["lower", "upper"];
 
-/// The name of a column beside that of a quantity: `mean_pressure_error`.
+/// The name of a column beside a quantity: `mean_pressure_error`.
 #[must_use]
 pub(crate) fn column_beside(quantity: Quantity, what: &str) -> String {
     format!("{quantity}_{what}").replace('-', "_")

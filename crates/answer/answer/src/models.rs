@@ -31,7 +31,7 @@ pub fn one_model(file: &SceneFile, id: Option<&str>) -> Result<Model, AnswerErro
 /// The usual model where none is named; a note tells of a hardness that may be forgotten.
 ///
 /// # Errors
-/// Those of [`one_model`].
+/// The errors of [`one_model`].
 pub fn one_or_usual(
     file: &SceneFile,
     name: &str,
@@ -55,7 +55,7 @@ pub fn one_or_usual(
 /// `allowed` by the scene that have these quantities; a note names the others.
 ///
 /// # Errors
-/// Those of [`SceneFile::model`], and where it allows none.
+/// The errors of [`SceneFile::model`], and where it allows none.
 pub fn models(
     file: &SceneFile,
     requested: &[String],

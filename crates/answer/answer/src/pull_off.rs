@@ -11,14 +11,15 @@ use crate::number::rounded;
 use crate::subject::measured;
 use crate::{AnswerError, Cell, Sheet};
 
-/// Tension \[% of that of asperities of equal height\] below which there is practically none.
+/// Tension \[% of the tension of asperities of equal height\] below which there is practically
+/// none.
 const SMALLEST: f64 = 1e-6;
 
 /// The largest tension of models with adhesion, and its separation; blank if there is no tensile
 /// force.
 ///
 /// # Errors
-/// Those of the models on the scene.
+/// The errors of the models on the scene.
 pub fn pull_off(
     file: &SceneFile,
     models: &[Model],
@@ -50,7 +51,7 @@ pub fn pull_off(
     Ok(())
 }
 
-/// States the tension relative to that of asperities of equal height.
+/// States the tension relative to asperities of equal height.
 fn note_reduction(sheet: &mut Sheet, id: &str, force: f64, scene: &Scene) {
     // Pull-off force of one asperity in units of pi R w_a.
     let single = match id {

@@ -17,7 +17,7 @@ const STIFFNESSES: [Quantity; 3] =
 /// wide.
 ///
 /// # Errors
-/// Those of `fill`, in the middle or at an end.
+/// The errors of `fill`, in the middle or at an end.
 pub fn with_ranges<T, E: From<AnswerError> + Send>(
     file: &SceneFile,
     sheet: &mut Sheet,
@@ -191,7 +191,7 @@ impl Ends<'_> {
     }
 }
 
-/// Ends of the names of columns about models, beside those of quantities.
+/// Ends of the names of columns about models, beside the columns of quantities.
 const ANSWERS: [&str; 2] = ["_deviation", "_off_bem"];
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;

@@ -68,7 +68,7 @@ impl Recommend<'_> {
     /// shows; the verdict and the evidence are findings.
     ///
     /// # Errors
-    /// Those of [`check`](Self::check), of the reference, and of the models named.
+    /// The errors of [`check`](Self::check), of the reference, and of the models named.
     pub fn answer(
         &self,
         file: &SceneFile,
@@ -85,7 +85,7 @@ impl Recommend<'_> {
     /// Fills a sheet likewise, for models and a reference that are not named by ids.
     ///
     /// # Errors
-    /// Those of the reference, and of the models that are compared with it.
+    /// The errors of the reference, and of the models that are compared with it.
     pub fn answer_of(
         &self,
         file: &SceneFile,

@@ -40,7 +40,7 @@ impl Slip<'_> {
     /// that stick (2) and slip (1) at the amplitude of one cycle, row after row.
     ///
     /// # Errors
-    /// Those of [`PartialSlip`] if no cycle has a result.
+    /// The errors of [`PartialSlip`] if no cycle has a result.
     pub fn answer(
         &self,
         preloads: &[At],

@@ -36,7 +36,7 @@ impl<'w> ScanSlip<'w> {
     /// Presses the scan, with its load \[N\], pressure \[Pa\] and separation.
     ///
     /// # Errors
-    /// Adhesion, unlike bodies, yielding at this load, and those of boundary elements.
+    /// Adhesion, unlike bodies, yielding at this load, and the errors of boundary elements.
     pub(crate) fn at(
         subject: &Subject<'_>,
         preload: At,

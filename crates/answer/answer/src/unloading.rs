@@ -19,7 +19,7 @@ pub type Retreats<'r> = (&'r [f64], SeparationUnit);
 /// default to the end of contact; results have the work of a cycle and the end of contact.
 ///
 /// # Errors
-/// Those of [`Joint`], and the reason why nothing opens.
+/// The errors of [`Joint`], and the reason why nothing opens.
 pub fn unloading(
     subject: &Subject<'_>,
     laws: &[UnloadingLaw],

@@ -16,7 +16,7 @@ const POINTS: usize = 21;
 /// The contact of the scan as it opens from its greatest load, by default to the end of contact.
 ///
 /// # Errors
-/// Those of boundary elements on the scene, and where no retreat is solved.
+/// The errors of boundary elements on the scene, and where no retreat is solved.
 pub fn unloading_scan(
     subject: &Subject<'_>,
     closest: At,

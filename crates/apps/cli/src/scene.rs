@@ -36,7 +36,7 @@ impl LoadedScene {
         Self::load_pressing(path, ids, BemOptions::default())
     }
 
-    /// The same with these options of boundary elements in front of those of the scene.
+    /// The same with these options of boundary elements before the scene's.
     pub fn load_pressing(path: &Path, ids: &[String], given: BemOptions) -> Result<Self> {
         let asperities = use_asperities(ids);
         if !asperities || is_periodic(given) {

@@ -8,7 +8,7 @@ use crate::style::{AREA, BAND, BLACK, Colour, Curve, EDGE, GREY};
 use crate::text::{CAPITAL, width};
 use crate::trace::draw_line;
 
-/// Sizes of letters, keys and the gap between columns, and those of a narrow picture.
+/// Sizes of letters, keys and the gap between columns, also of a narrow picture.
 const USUAL: [f64; 3] = [13.3, 53.0, 17.0];
 const NARROW: [f64; 3] = [12.5, 26.0, 10.0];
 /// The width of a narrow picture.

@@ -1,7 +1,7 @@
 //! Curves as pictures: the text of a csv and a description give the text of an svg.
 //!
 //! The picture follows from these two alone, byte for byte, on every machine: no files, no fonts of
-//! the system, no threads, no physics. Grid, ticks, coordinates and shapes are those of `plotters`;
+//! the system, no threads, no physics. Grid, ticks, coordinates and shapes come from `plotters`;
 //! this crate adds curves cut at the frame and at gaps, dashes of several lengths, legend keys with
 //! dash and marker, areas between curves, bands of values with a lower and an upper end, lowered
 //! letters, captions that wrap, and several panels in one picture.

@@ -131,7 +131,7 @@ impl<'a> Placed<'a> {
 /// The map alone, without lengths and colours beside it, as a png of one pixel a value.
 ///
 /// # Errors
-/// Those of [`draw_map`].
+/// The errors of [`draw_map`].
 pub fn map_png(map: &Map) -> Result<Vec<u8>, PlotError> {
     check(map)?;
     pixels(map, 255)
@@ -218,7 +218,7 @@ fn colour(share: f64) -> [u8; 3] {
 fn pixels(map: &Map, opacity: u8) -> Result<Vec<u8>, PlotError> {
     // With a bottom the lowest heights have a colour too, and only missing ones have none.
     let least = map.bottom.map_or(0.0, |_| f64::MIN_POSITIVE);
-    // Colour 0 is that of values of 0 and below, and of missing ones.
+    // Colour 0 is for values of 0 and below, and for missing ones.
     let most = if map.full.is_empty() { 254.0 } else { 253.0 };
     let shade = |value: &f64| match map.share(*value).max(least) {
         share if !map.full.is_empty() && share > 1.0 - FULLY => 255,

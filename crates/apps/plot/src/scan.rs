@@ -25,7 +25,7 @@ const SPREAD: f64 = 4.0;
 /// [caption](Topography::caption) as well; without one, the page around it has.
 ///
 /// # Errors
-/// Those of [`draw`](crate::draw) and [`draw_map`](crate::draw_map).
+/// The errors of [`draw`](crate::draw) and [`draw_map`](crate::draw_map).
 pub fn draw_surface(
     surface: &Topography,
     glance: &Glance,

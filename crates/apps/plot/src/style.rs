@@ -81,8 +81,8 @@ const LIGHT_GREY: Colour = "#A8A8A8";
 /// The dark end of a matrix: indigo of Paul Tol's muted scheme.
 pub(crate) const INDIGO: Colour = "#332288";
 
-/// Those of Okabe and Ito (the green a little darker, without the yellow), indigo and wine of Paul
-/// Tol's muted scheme, and grey; neighbours differ in luminance.
+/// Colours of Okabe and Ito (the green a little darker, without the yellow), indigo and wine of
+/// Paul Tol's muted scheme, and grey; neighbours differ in luminance.
 const COLOURS: [Colour; 10] = [
     BLACK, "#E69F00", "#0072B2", "#D55E00", INDIGO, "#56B4E9", "#008A64", "#CC79A7", "#882255",
     GREY,

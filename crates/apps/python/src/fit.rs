@@ -20,7 +20,7 @@ pub(crate) enum Measurements {
     File(PathBuf),
 }
 
-/// Models fitted to data, that of the lowest BIC first, as dicts.
+/// Models fitted to data, by rising BIC, as dicts.
 #[pyfunction]
 pub(crate) fn fit<'py>(
     py: Python<'py>,

@@ -30,7 +30,7 @@ impl<'py> FromPyObject<'_, 'py> for Spacing {
     }
 }
 
-/// A number or a text; the inner error is that of the text.
+/// A number or a text; the inner error is about the text.
 fn distance(given: &Object<'_>) -> PyResult<PyResult<Distance>> {
     if let Ok(number) = given.extract::<f64>() {
         return Ok(Ok(number.into()));
@@ -39,7 +39,7 @@ fn distance(given: &Object<'_>) -> PyResult<PyResult<Distance>> {
 }
 
 impl Spacing {
-    /// The numbers in this unit, which is that of plain ones.
+    /// The numbers in this unit, which plain ones have.
     pub(crate) fn in_unit(self, unit: LengthUnit) -> [f64; 2] {
         self.0.map(|distance| distance.in_unit(unit))
     }

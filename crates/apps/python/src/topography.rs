@@ -193,7 +193,7 @@ impl Topography {
     /// The sum of the heights of this surface and of an aligned one, point by point: against a flat
     /// it has the gap between the two, also for boundary elements. Points of equal row and column
     /// meet or, with ``mirrored``, those of equal row and opposite column, as of two scans taken
-    /// from above. Levels and filters are those of the two.
+    /// from above. Levels and filters are of both.
     #[pyo3(signature = (other, mirrored=false))]
     fn facing(&self, py: Python<'_>, other: &Self, mirrored: bool) -> PyResult<Self> {
         let alignment = if mirrored { Alignment::Mirrored } else { Alignment::AsRead };

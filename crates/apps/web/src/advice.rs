@@ -33,7 +33,7 @@ pub(crate) struct Best {
     basis: String,
 }
 
-/// The model of the answer: the usual one or, where adhesion matters, that of its range.
+/// The model of the answer: the usual one or, where adhesion matters, the one of its range.
 pub(crate) fn answering(file: &SceneFile, at: At) -> &'static str {
     if file.scene.adhesion_parameter().is_none_or(|theta| theta >= Scene::HIDES_ADHESION) {
         return usual_reference(&file.scene);

@@ -68,7 +68,7 @@ impl Column {
         Self::new(["separation_m", "m", "separation"], definition)
     }
 
-    /// Its names in a csv: its own and, on a surface that is known within ranges, those of its
+    /// Its names in a csv: its own and, on a surface that is known within ranges, the names of its
     /// ends.
     pub(crate) fn heads(&self, file: &SceneFile) -> Vec<String> {
         let ends = ENDS.map(|end| column_of_end(&self.head, end));
@@ -228,7 +228,7 @@ impl Row {
             one.is_of_model() && one.code != "yields" && one.severity != Severity::Note
         };
         row.outside = found.iter().find(is_outside).map(|one| message(one, false));
-        // Those of the load name an area above the nominal one already.
+        // Findings of the load name an area above the nominal one already.
         let is_new =
             |one: &Finding| one.severity < Severity::Note && one.code != "area-above-nominal";
         found.extend(warnings.into_iter().filter(is_new));
@@ -277,7 +277,7 @@ pub(crate) fn rows(scenes: &[SceneFile], id: &str, asked: &[Asked], pressures: &
     csv
 }
 
-/// The head of [`rows`]: of each column its own name and, within ranges, those of its ends.
+/// The head of [`rows`]: of each column its own name and, within ranges, the names of its ends.
 pub(crate) fn head(file: &SceneFile, columns: &[Column]) -> String {
     let heads: Vec<String> = columns.iter().flat_map(|column| column.heads(file)).collect();
     format!("model,load_N,pressure_Pa,{}", heads.join(","))

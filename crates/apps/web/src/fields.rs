@@ -29,7 +29,7 @@ fn plain(value: &Value) -> String {
     }
 }
 
-/// Passes on the values of a text with their paths, those of inline tables too.
+/// Passes on the values of a text with their paths, also in inline tables.
 fn each_value(text: &str, mut each: impl FnMut(&str, &Value)) {
     fn walk(table: &dyn TableLike, path: &str, each: &mut dyn FnMut(&str, &Value)) {
         for (key, item) in table.iter() {

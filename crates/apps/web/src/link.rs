@@ -16,7 +16,7 @@ const VERSION: u32 = 1;
 const PLAIN: usize = 1000;
 /// The largest state, in bytes.
 const MOST: u64 = 4 << 20;
-/// The first byte of compressed data; that of json is a brace.
+/// The first byte of compressed data; json begins with a brace.
 const ZLIB: u8 = 0x78;
 
 /// The checksum of a file, as links have it.

@@ -17,7 +17,7 @@ pub(crate) enum Message {
     Show { text: String },
     /// The text of an example that was changed.
     Changed { text: String },
-    /// The text with other values; `another`: the other surface is not to be that of the first.
+    /// The text with other values; `another`: the other surface is not like the first.
     Edit {
         text: String,
         changes: Vec<Change>,

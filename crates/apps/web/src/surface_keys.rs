@@ -130,7 +130,7 @@ pub(crate) fn edited(text: &str, changes: &[Change], another: bool) -> Result<St
     edit(text, &all)
 }
 
-/// The numbers of the first surface as those of the other.
+/// The numbers of the first surface for the other.
 fn copies(known: &BTreeMap<String, String>) -> Vec<Change> {
     let copy = |key: &Key| {
         let value = known.get(&format!("surface.{}", key.name))?;
@@ -147,7 +147,7 @@ pub(crate) fn described(text: &str, way: &str, file: &SceneFile) -> Result<Strin
     let known = WAYS.iter().find(|(name, _)| *name == way && way != "scan");
     let (_, keys) = known.ok_or_else(|| Refusal::new("drop or choose a scan file instead"))?;
     let values = match way {
-        // Ra of Gaussian heights, of two like bodies that of each of two like surfaces.
+        // Ra of Gaussian heights; of two like bodies each has a like surface.
         FINISH => {
             let surfaces = if is_of_like_bodies(file) { 2.0 } else { 1.0 };
             let ra = (2.0 * moments.m0 / (PI * surfaces)).sqrt();
@@ -161,7 +161,7 @@ pub(crate) fn described(text: &str, way: &str, file: &SceneFile) -> Result<Strin
         _ => [radius, density, std].map(rounded).into(),
     };
     let mut changes = removals(|key| keys.contains(&key.name));
-    // The numbers are those of both surfaces together.
+    // The numbers are of both surfaces together.
     changes.push(surface_key("counterface", None));
     let set = keys.iter().zip(values).map(|(key, value)| surface_key(key, Some(value)));
     let made = edit(text, &changes.into_iter().chain(set).collect::<Vec<_>>())?;

@@ -150,7 +150,7 @@ fn case(
     })
 }
 
-/// exp of a logarithm in many digits, less that of the scale. At s = 1e6 a logarithm in double
+/// exp of a logarithm in many digits, less the scale's. At s = 1e6 a logarithm in double
 /// precision has no digit of the value, so integer part and fraction are treated separately.
 fn over_scale(ln_value: &str, problem: &Problem) -> Result<f64> {
     let (sign, digits) = ln_value.strip_prefix('-').map_or((1.0, ln_value), |rest| (-1.0, rest));

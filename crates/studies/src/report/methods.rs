@@ -190,7 +190,7 @@ fn between(
     Ok((sum, count))
 }
 
-/// Points of [0, 1] with their weights, those of the ends half as large.
+/// Points of [0, 1] with their weights, half as large at the ends.
 fn equal_steps(steps: u32, weight: impl Fn(u32) -> f64) -> Vec<(f64, f64)> {
     let count = f64::from(steps);
     let ends = |k| if k == 0 || k == steps { 0.5 } else { 1.0 };

@@ -30,7 +30,7 @@ pub struct Problem {
     pub scene: Scene,
     /// d/σ_z.
     pub separation: f64,
-    /// The law behind the quantity; that of the force for a tangent.
+    /// The law behind the quantity; of the force for a tangent.
     pub law: Arc<Law>,
 }
 
@@ -45,7 +45,7 @@ pub fn is_slope(model: &Model, quantity: Quantity) -> bool {
     }
 }
 
-/// The quantity whose law is integrated: that of the force for a slope.
+/// The quantity whose law is integrated: the force for a slope.
 #[must_use]
 pub fn integrated(model: &Model, quantity: Quantity) -> Quantity {
     if is_slope(model, quantity) { Quantity::Force } else { quantity }

@@ -24,7 +24,7 @@ const FINER: usize = 2;
 /// those of profiles across the lay, or the average with the heights of the summits.
 const WAYS: [&str; 3] = ["mean of all directions", "across the lay", "mean, measured heights"];
 
-/// The scenes that a user makes, in the order of [`WAYS`]; their hardness is that of the family.
+/// The scenes that a user makes, in the order of [`WAYS`]; their hardness is the family's.
 /// Without a lay all directions are alike.
 fn scenes(family: &Family, index: f64) -> Result<[Option<Scene>; 3]> {
     let surface = family.surface(family.pixels)?;
@@ -51,7 +51,7 @@ fn scenes(family: &Family, index: f64) -> Result<[Option<Scene>; 3]> {
     Ok([Some(mean), across_lay, Some(measured)])
 }
 
-/// Deviations of the area of a model on a scene from those of the cases.
+/// Deviations of the area of a model on a scene from the cases'.
 fn deviations(model: &Model, scene: &Scene, cases: &[&EvidenceCase]) -> String {
     let known = [Quantity::AreaFraction];
     // Random asperities are Gaussian.

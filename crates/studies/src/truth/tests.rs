@@ -46,7 +46,7 @@ fn models_agree_with_the_committed_table() {
         lines.step_by(if std::env::var_os("ASPERITY_LONG").is_some() { 29 } else { 116 }).collect();
     let text = [&[head], &some[..]].concat().join("\n") + "\n";
     let found = with_new_models(&asperity::Evidence::parse(&text).unwrap()).unwrap();
-    // The counts are those of the table.
+    // The table has these counts.
     assert!(agree(&found, &text, 0.0), "{found}");
     // Numbers of boundary elements are written again as they were read.
     let bem = |text: &str| -> Vec<Vec<String>> {

@@ -27,7 +27,7 @@ const MOST_STEPS: i32 = 30;
 /// Relative tolerance.
 const TOLERANCE: f64 = 1e-4;
 
-/// A model on a family, at any number of steps of the hardness from that of ψ = 1.
+/// A model on a family, at any number of steps of the hardness from ψ = 1.
 struct Hardnesses<'m> {
     model: &'m Model,
     /// The scene with ψ = 1.
@@ -78,7 +78,7 @@ impl Hardnesses<'_> {
     }
 }
 
-/// Areas of a model over those of boundary elements, at equal ψ and at an equal yielded share, in
+/// Areas of a model over boundary elements', at equal ψ and at an equal yielded share, in
 /// the cases of a family.
 fn ratios(family: &Family, cases: &[&EvidenceCase], model: &Model) -> Result<Vec<[f64; 2]>> {
     let scene = scene(&family.surface(family.pixels)?, 1.0)?;

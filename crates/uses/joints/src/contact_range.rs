@@ -84,7 +84,7 @@ pub(crate) fn contact_range(
     })
 }
 
-/// Finite, positive ends that replace those of a range.
+/// Finite, positive ends that replace a range's.
 fn finite([low, high]: [f64; 2], u: f64) -> [f64; 2] {
     let ratio = 10f64.powf(DECADES);
     match (low > 0.0, high.is_finite()) {

@@ -109,7 +109,7 @@ impl Correlation {
 pub struct Correlated {
     /// The correlation.
     pub correlation: Correlation,
-    /// The roughness of the gap, if it is not that of the asperities of the scene.
+    /// The roughness of the gap, if it does not follow from the asperities of the scene.
     pub roughness: Option<GapRoughness>,
 }
 

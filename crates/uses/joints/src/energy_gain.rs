@@ -67,7 +67,7 @@ impl Joint {
     /// work.
     ///
     /// # Errors
-    /// Those of finding a load; [`ContactError::Integral`], [`ContactError::Refused`].
+    /// The errors of finding a load; [`ContactError::Integral`], [`ContactError::Refused`].
     pub fn energy_gain(
         &self,
         closest: At,

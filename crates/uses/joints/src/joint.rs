@@ -30,7 +30,7 @@ impl Joint {
     ///
     /// # Errors
     /// [`ContactError::Unsupported`] for models without an asperity law, with inclined contacts or
-    /// with adhesion; those of the model.
+    /// with adhesion; the errors of the model.
     pub fn new(
         model: &(impl ContactModel + ?Sized),
         scene: &Scene,
@@ -99,7 +99,7 @@ impl Joint {
     /// Unloading from a closest approach; for a load, from the largest separation that carries it.
     ///
     /// # Errors
-    /// Those of finding a load.
+    /// The errors of finding a load.
     pub fn unloading(&self, closest: At) -> Result<Unloading, ContactError> {
         Unloading::of_joint(self.clone(), self.virgin.separation(closest)?)
     }
@@ -109,7 +109,7 @@ impl Joint {
     /// loads on the unloading curve from the closest approach.
     ///
     /// # Errors
-    /// Those of finding a load; [`ContactError::OutOfRange`] for a load that is not above 0.
+    /// The errors of finding a load; [`ContactError::OutOfRange`] for a load that is not above 0.
     pub fn turning_points(&self, turns: &[At]) -> Result<Vec<f64>, ContactError> {
         let (metres, mean) = (SeparationUnit::Metres, Datum::AsperityMean);
         let place = |separation: Separation| {
@@ -159,7 +159,7 @@ impl Joint {
             let missing = ContactError::NotRequested { quantity: Quantity::Force };
             let mut found =
                 rows.next().unwrap_or_else(|| Err(missing.into())).map_err(|error| *error)?;
-            // The error of the first remaining interference is that of δ; the tail is assumed to
+            // The first remaining interference has the error of δ; the tail is assumed to
             // fall as steeply as a Gaussian density.
             let first = model.first / scene.surface.asperity_height_std;
             found.error +=

@@ -38,7 +38,7 @@ impl Joint {
     /// point.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a turning point that is not finite; those of the
+    /// [`ContactError::OutOfRange`] for a turning point that is not finite; the errors of the
     /// evaluations.
     pub fn path(&self, turning_points: &[f64], steps: usize) -> Result<Path, ContactError> {
         let Some(&first) = turning_points.first() else {

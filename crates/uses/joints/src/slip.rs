@@ -63,7 +63,7 @@ impl PartialSlip {
     /// The tangential force Q \[N\] at a first shift \[m\], at least 0.
     ///
     /// # Errors
-    /// Those of [`Unloading::force`].
+    /// The errors of [`Unloading::force`].
     pub fn force(&self, shift: f64) -> Result<Evaluation, ContactError> {
         self.scaled(self.friction, UnloadingQuantity::Released, ("shift", shift))
     }
@@ -72,7 +72,7 @@ impl PartialSlip {
     /// from -amplitude if `forth`, otherwise back from +amplitude.
     ///
     /// # Errors
-    /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] for a shift beyond the
+    /// The errors of [`force`](Self::force); [`ContactError::OutOfRange`] for a shift beyond the
     /// amplitude.
     pub fn loop_force(&self, shift: f64, amplitude: f64, forth: bool) -> Result<f64, ContactError> {
         let amplitude = positive("amplitude", amplitude)?;
@@ -90,7 +90,7 @@ impl PartialSlip {
     /// The energy \[J\] dissipated by a cycle between ±`amplitude` \[m\].
     ///
     /// # Errors
-    /// Those of [`force`](Self::force).
+    /// The errors of [`force`](Self::force).
     pub fn loss(&self, amplitude: f64) -> Result<Evaluation, ContactError> {
         let factor = self.friction / self.retreat_per_shift;
         self.scaled(factor, UnloadingQuantity::Loss, ("amplitude", amplitude))
@@ -150,7 +150,7 @@ impl PartialSlip {
     /// The force μ F \[N\] at which the joint slides.
     ///
     /// # Errors
-    /// Those of [`Unloading::force`].
+    /// The errors of [`Unloading::force`].
     pub fn limit(&self) -> Result<f64, ContactError> {
         Ok(self.friction * self.normal.force(0.0)?.value())
     }
@@ -162,7 +162,7 @@ impl PartialSlip {
     /// [`ContactError::OutOfRange`] unless the force is above 0 and below the
     /// [`limit`](Self::limit), at which the joint slides, by more than the tolerance, and where
     /// rounding of a force so near the limit changes the amplitude by more than the tolerance or
-    /// 1e-10; those of [`shift_at`](Self::shift_at).
+    /// 1e-10; the errors of [`shift_at`](Self::shift_at).
     pub fn amplitude_at(&self, force: f64) -> Result<f64, ContactError> {
         let (field, force) = ("tangential_force", positive("tangential_force", force)?);
         let (limit, tolerance) = (self.limit()?, self.normal.tolerance().relative());

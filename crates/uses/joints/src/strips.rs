@@ -17,7 +17,7 @@ const MAX_HALVINGS: u32 = 14;
 const MAX_WIDTH: f64 = 1000.0;
 /// Largest retreat searched for the end of contact \[σ_z\].
 const MAX_DISTANCE: f64 = 1e8;
-/// Tolerance of the integrals over that of the table.
+/// Tolerance of the integrals over the table's.
 const ERROR_SHARE: f64 = 0.1;
 /// Retreat \[σ_z\] below which the search for the end of contact stops.
 const NEGLIGIBLE: f64 = 1e-6;

@@ -143,7 +143,7 @@ impl Memory<'_> {
     /// Moves to a separation \[m\] from the mean of the asperity heights.
     ///
     /// # Errors
-    /// Those of [`JointTable::at`]; the contact is then unchanged.
+    /// The errors of [`JointTable::at`]; the contact is then unchanged.
     #[inline]
     pub fn step(&mut self, separation: f64) -> Result<Reply, ContactError> {
         let reply = self.table.at(separation, self.closest)?;

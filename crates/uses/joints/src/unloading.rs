@@ -55,7 +55,7 @@ impl FromStr for UnloadingLaw {
     }
 }
 
-/// Tolerance of searches where the integrals do not reach that of the joint.
+/// Tolerance of searches where the integrals do not reach the joint's.
 const ROUGH: f64 = 1e-6;
 
 /// Unloading of a contact from its closest approach.
@@ -72,7 +72,7 @@ impl Unloading {
     /// separation that carries it.
     ///
     /// # Errors
-    /// Those of [`Joint::new`] and [`Joint::unloading`].
+    /// The errors of [`Joint::new`] and [`Joint::unloading`].
     pub fn new(
         model: &(impl ContactModel + ?Sized),
         scene: &Scene,
@@ -123,7 +123,7 @@ impl Unloading {
     /// The real contact area \[m²\] after a `retreat` \[m\].
     ///
     /// # Errors
-    /// Those of [`force`](Self::force), and [`ContactError::Unsupported`] for Etsion's law.
+    /// The errors of [`force`](Self::force), and [`ContactError::Unsupported`] for Etsion's law.
     pub fn area(&self, retreat: f64) -> Result<Evaluation, ContactError> {
         if self.law() == UnloadingLaw::Etsion {
             let what = "an area in unloading by etsion: use hertz or brake".into();
@@ -136,7 +136,7 @@ impl Unloading {
     /// realisations have lost contact.
     ///
     /// # Errors
-    /// Those of [`force`](Self::force).
+    /// The errors of [`force`](Self::force).
     pub fn contacts(&self, retreat: f64) -> Result<Evaluation, ContactError> {
         self.of(UnloadingQuantity::Contacts, retreat)
     }
@@ -195,7 +195,7 @@ impl Unloading {
     /// -dF/du \[N/m\] after a `retreat` \[m\]; at 0 with Hertz' law, the sum of 2 E a.
     ///
     /// # Errors
-    /// Those of [`force`](Self::force).
+    /// The errors of [`force`](Self::force).
     pub fn stiffness(&self, retreat: f64) -> Result<Evaluation, ContactError> {
         self.of(UnloadingQuantity::Stiffness, retreat)
     }
@@ -203,7 +203,7 @@ impl Unloading {
     /// The force \[N\] released by a retreat \[m\], without cancellation for small retreats.
     ///
     /// # Errors
-    /// Those of [`force`](Self::force).
+    /// The errors of [`force`](Self::force).
     pub fn released(&self, retreat: f64) -> Result<Evaluation, ContactError> {
         self.of(UnloadingQuantity::Released, retreat)
     }
@@ -211,7 +211,7 @@ impl Unloading {
     /// The work \[J\] returned by a `retreat` \[m\], which may be infinite.
     ///
     /// # Errors
-    /// Those of [`force`](Self::force).
+    /// The errors of [`force`](Self::force).
     pub fn returned(&self, retreat: f64) -> Result<Evaluation, ContactError> {
         self.of(UnloadingQuantity::Returned, retreat)
     }

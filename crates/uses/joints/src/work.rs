@@ -50,7 +50,7 @@ impl Joint {
     /// The work of first closing from no contact to `closest`, and the work returned by opening.
     ///
     /// # Errors
-    /// Those of the contact's evaluations, [`ContactError::Integral`], and
+    /// The errors of the contact's evaluations, [`ContactError::Integral`], and
     /// [`ContactError::OutOfRange`] for heights with so heavy a tail that separations beyond 1e8
     /// σ_z contribute to the work.
     pub fn work(&self, closest: At) -> Result<Work, ContactError> {

@@ -1,5 +1,5 @@
 //! Area and mean gap of elastic surfaces beside Green's function molecular dynamics, and the
-//! density of pressures beside that of the Contact Mechanics Challenge.
+//! density of pressures beside the Contact Mechanics Challenge.
 
 use anyhow::Result;
 use asperity::{

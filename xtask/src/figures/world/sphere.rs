@@ -80,7 +80,7 @@ fn work(points: &[&Point]) -> f64 {
         let power = (to.force / from.force).ln() / (to.x / from.x).ln() + 1.0;
         (to.force * to.x - from.force * from.x) / power
     };
-    // Up to the first point, the force is that of Hertz.
+    // Up to the first point, the force is Hertz'.
     let first = points.first().filter(|point| point.is_loading());
     let hertz = first.map_or(0.0, |point| 0.4 * point.force * point.x);
     hertz + points.windows(2).map(segment).sum::<f64>()

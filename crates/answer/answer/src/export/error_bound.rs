@@ -59,7 +59,7 @@ pub(crate) fn bounds<const K: usize, E>(
     Ok(largest)
 }
 
-/// The largest size of the polynomial through samples, and that of the terms left out.
+/// The largest size of the polynomial through samples, and of the terms left out.
 fn bound(samples: &[f64; TERMS]) -> (f64, f64) {
     let terms = chebyshev_terms(samples);
     let at = |k: u32| {

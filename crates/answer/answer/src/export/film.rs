@@ -41,7 +41,7 @@ impl Export<'_> {
         let file = self.subject.file;
         let request = Request::new(OF_CONTACT).within(self.subject.tolerance);
         let contact = self.subject.model.compile(&file.scene, &request)?;
-        // That of both surfaces, for models of pairs.
+        // Of both surfaces, for models of pairs.
         let scene = contact.scene();
         let factors = Quantity::ALL.into_iter().filter(|quantity| quantity.is_flow_factor());
         let factors: Vec<Quantity> = factors.collect();
@@ -80,7 +80,7 @@ impl Export<'_> {
     /// The comments at the head of the table.
     fn film_head(&self, scene: &Scene, flow: &PatirCheng) -> String {
         let (each, words) = match self.subject.model.asperities() == Asperities::Pairs {
-            // Models of pairs average over those of two like surfaces.
+            // Models of pairs average over two like surfaces.
             true => (scene.both_surfaces().surfaces[0].asperities, OF_PAIR),
             false => (scene.surface, OF_ONE),
         };

@@ -1,7 +1,7 @@
 //! Thermal conductance, and friction that begins elastically, in the formats of finite-element
 //! codes.
 //!
-//! The formats are those of public text: the keyword manuals of Abaqus (`*GAP CONDUCTANCE`, 2017;
+//! The formats follow public text: the keyword manuals of Abaqus (`*GAP CONDUCTANCE`, 2017;
 //! `*FRICTION`, and the elastic stick of its theory manual, 6.6) and of CalculiX 2.17, and
 //! CalculiX' sources (`gapconductances.f`, `frictions.f`, `materialdata_sp.f`). CalculiX was run on
 //! the conductance (`tests/calculix.rs`), no other code was.

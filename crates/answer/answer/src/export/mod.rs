@@ -165,7 +165,7 @@ impl Export<'_> {
     /// and tangent at the nodes, in SI units.
     ///
     /// # Errors
-    /// Those of the model on the scene, equal ends, pressures that do not fall, an
+    /// The errors of the model on the scene, equal ends, pressures that do not fall, an
     /// error that no table meets, and what the format has no room for.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<Exported, AnswerError> {
         sheet.under(&[&["clearance_m", "pressure_Pa", "tangent_Pa_per_m"]]);

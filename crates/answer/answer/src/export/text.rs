@@ -1,6 +1,6 @@
 //! Contact tables in the formats of finite-element codes.
 //!
-//! Formats are those of the codes' public manuals and sources. CalculiX was run on its files
+//! Formats follow the codes' public manuals and sources. CalculiX was run on its files
 //! (`tests/calculix.rs`), no other code was. The heads stand in `forms`.
 
 use asperity::{ContactError, Separation, SeparationUnit, shortest_digits};

@@ -30,7 +30,7 @@ pub struct Truth {
     pub notes: Vec<Finding>,
     /// The contact by each model, in the order given; empty if its area exceeds the nominal one.
     pub models: Vec<(Model, ContactState)>,
-    /// Findings of such models, and of those of independent asperities whose contacts merge.
+    /// Findings of such models, and of models of independent asperities whose contacts merge.
     pub crowded: Vec<Finding>,
     /// The ids of models, and of boundary elements, that lack a number, and why.
     pub missing: Vec<(String, ContactError)>,

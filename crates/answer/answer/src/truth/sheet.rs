@@ -44,7 +44,7 @@ pub fn compared(named: &[Quantity]) -> Result<Vec<Compared>, AnswerError> {
 /// Boundary elements beside the models named, or beside all, as by [`truth_of`].
 ///
 /// # Errors
-/// Those of the models named and of [`truth_of`].
+/// The errors of the models named and of [`truth_of`].
 pub fn truth(
     of: (&SceneFile, &str, &Bem),
     models: &[String],
@@ -63,7 +63,7 @@ pub fn truth(
 /// those solved by then. `name` is that of the scene in messages.
 ///
 /// # Errors
-/// Those of the scene, a grid that cannot be halved, and where no load is solved.
+/// The errors of the scene, a grid that cannot be halved, and where no load is solved.
 pub fn truth_of(
     (file, name, bem): (&SceneFile, &str, &Bem),
     models: &[Model],
@@ -123,7 +123,7 @@ impl Truths {
     /// the work.
     ///
     /// # Errors
-    /// Those of [`compare_with_bem`], and a grid that cannot be halved.
+    /// The errors of [`compare_with_bem`], and a grid that cannot be halved.
     pub fn solve(
         file: &SceneFile,
         bem: &Bem,

@@ -141,7 +141,8 @@ fn edited(sections: &[Section], name: &str, number: f64) -> Option<Vec<Section>>
     is_written.then_some(found)
 }
 
-/// Each number that a scene takes, set in the scene and in its file: the same scene, or both refuse.
+/// Each number that a scene takes, set in the scene and in its file: the same scene, or both
+/// refuse.
 #[test]
 fn every_number_of_every_description_is_edited_where_it_was_written() {
     let (mut edits, mut others, mut refused) = (0, 0, 0);

@@ -28,7 +28,7 @@ pub struct Recommend {
     output: OutputArgs,
 }
 
-/// The help. The range of the solved cases is that of the evidence, which is not read for it.
+/// The help. The range of the solved cases stands here, so that the evidence is not read for it.
 const HELP: &str = include_str!("../help/recommend.txt");
 
 impl Recommend {

@@ -35,7 +35,7 @@ pub fn treat(treatment: Treatment) {
     TREATMENT.get_or_init(|| treatment);
 }
 
-/// The codes that are accepted beside those of the scene.
+/// The codes that are accepted beside the scene's.
 pub fn accepted() -> &'static [String] {
     TREATMENT.get().map_or(&[], |treatment| &treatment.accept)
 }

@@ -39,7 +39,7 @@ fn the_map_of_the_flow_shows_contact_and_path() {
     assert!(two.code == Some(2) && two.messages.contains("--flow-picture"));
 }
 
-/// The picture of the guide is that of the commands beside it; single pixels may have other shades
+/// The commands beside the picture of the guide make it; single pixels may have other shades
 /// on another machine.
 #[test]
 fn the_picture_of_the_guide_is_drawn_by_its_commands() {

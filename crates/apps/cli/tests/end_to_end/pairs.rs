@@ -122,7 +122,7 @@ fn the_head_of_a_film_table_says_what_a_code_must_use() {
         let start = table.find(&format!("{name} = ")).unwrap() + name.len() + 3;
         table[start..].split([' ', ',', ':']).next().unwrap().parse().unwrap()
     };
-    // √2 times that of one surface, which `check` gives.
+    // √2 times the σ of one surface, which `check` gives.
     let surface = 5e-7f64.hypot(3.716_97e-4f64.sqrt() / 8e4);
     assert!((number("sigma") / (2f64.sqrt() * surface) - 1.0).abs() < 1e-5, "{table}");
     assert!((number("sigma") - 7.85e-7).abs() < 5e-10, "{table}");

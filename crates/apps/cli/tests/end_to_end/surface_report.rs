@@ -26,7 +26,7 @@ fn scales_show_what_the_shortest_wave_changes() {
             assert!((found / wanted - 1.0).abs() < 1e-12, "{column_name}: {found} {wanted}");
         }
     }
-    // The answer is that of the scene's bodies on this surface.
+    // The answer is for the scene's bodies on this surface.
     of("--smooth 6e-6 --scene smooth.toml --output numbers.txt");
     let theirs = bench.read("smooth.toml");
     let (_, surface) = theirs.split_once("[surface]").unwrap();

@@ -104,7 +104,7 @@ pub(crate) fn check_scene(
     found
 }
 
-/// Each finding once, that of the first scene that has it, with the number of such scenes.
+/// Each finding once, of the first scene that has it, with the number of such scenes.
 fn check_scenes(rows: &Rows, asperities: bool) -> Findings {
     let mut found: Vec<(Finding, usize)> = vec![];
     let count = rows.scenes();

@@ -82,7 +82,7 @@ impl JointTable {
     }
 
     /// Force [N], stiffness -dF/dd [N/m] and closest approach at a separation of a joint whose
-    /// closest approach so far is ``closest``; the returned one is that of the next step. Floats
+    /// closest approach so far is ``closest``; the returned one is for the next step. Floats
     /// give floats; arrays, broadcast, are many joints at once.
     ///
     /// The stiffness is the exact derivative of the force. In Newton's method every iteration of a

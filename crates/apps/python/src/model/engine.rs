@@ -27,7 +27,7 @@ enum Kind {
 
 #[pymethods]
 impl Engine {
-    /// A model by its id, with options that replace those of a scene; or a model written in Python,
+    /// A model by its id, with options that replace the scene's; or a model written in Python,
     /// as the package's `_model.Laws` of a class.
     #[new]
     fn new(model: &Object<'_>, options: BTreeMap<String, KeyValue>) -> PyResult<Self> {
@@ -130,7 +130,7 @@ impl Engine {
 }
 
 impl Engine {
-    /// The options of a scene, with those of this model in their place.
+    /// The options of a scene, replaced by this model's.
     fn options(&self, mut options: ModelOptions) -> PyResult<ModelOptions> {
         if let Kind::Named { given, .. } = &self.0 {
             given.iter().try_for_each(|(k, v)| options.set(k, v)).map_err(value_error)?;
@@ -174,7 +174,7 @@ impl Engine {
         Ok((model.id().to_string(), own, unknown))
     }
 
-    /// The model on a scene; options of the model replace those of the scene.
+    /// The model on a scene; options of the model replace the scene's.
     pub(crate) fn on(&self, file: &SceneFile) -> PyResult<Model> {
         file.need_known().map_err(value_error)?;
         self.with(file.spec.options, Some(file))
@@ -219,7 +219,7 @@ impl Engine {
         py.detach(work).map_err(|error| self.raise(py, error))
     }
 
-    /// The exception of a refusal: that of the user's own code, or the library's.
+    /// The exception of a refusal: from the user's own code, or the library's.
     pub(crate) fn raise(&self, py: Python<'_>, refusal: ContactError) -> PyErr {
         let own = self.raised().and_then(|raised| raised.exception(py, &refusal));
         own.unwrap_or_else(|| refused(refusal))

@@ -41,7 +41,7 @@ use arguments::{KeyValue, heights_key, inputs, inputs_in_si, keys_of};
 ///     lowest asperity), or the mean plane of the surface.
 /// mean_plane_offset : float, optional
 ///     Measured height of the mean of the asperity heights above the mean plane of the surface [m];
-///     by default that of the table of heights, or of an isotropic Gaussian surface.
+///     by default of the table of heights, or of an isotropic Gaussian surface.
 /// options : dict, optional
 ///     Options of the models, as in the section [options] of a scene file.
 /// accept : sequence of str

@@ -150,7 +150,7 @@ pub(crate) fn all_separations_of_load<'s>(
     let force = ForceAt { guide: &|s| averages.guide(&falls, s), falls: &falls };
     let mut found = target(averages, load)?.crossings(&force, false)?;
     found.reverse();
-    // The same number as that of the load alone.
+    // The same number as for the load alone.
     let same = if load < 0.0 { found.first_mut() } else { found.last_mut() };
     same.into_iter().for_each(|s| *s = first);
     Ok(found)

@@ -248,7 +248,7 @@ impl LawIntegrals<'_> {
                 shared => shared.at(part, (s, scale), true, tolerance)?,
             };
             let m = Moments::NONE.plus(factor, &m);
-            // Where a sum of numbers is as large as that of their sizes, all have one sign.
+            // Where a sum of numbers is as large as the sum of their sizes, all have one sign.
             if m.value.abs() < (1.0 - 1e-12) * m.sizes[0] {
                 return Ok(None);
             }

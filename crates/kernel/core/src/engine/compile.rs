@@ -8,7 +8,7 @@ use crate::{AsperityModel, Contact, ContactError, ContactModel, Request, Scene};
 /// [`ContactModel::compile`] of a model that averages laws of asperities over heights.
 ///
 /// # Errors
-/// Those of [`ContactModel::compile`].
+/// The errors of [`ContactModel::compile`].
 pub fn compile_laws(
     model: &dyn ContactModel,
     scene: &Scene,
@@ -21,7 +21,7 @@ pub fn compile_laws(
 /// [`ContactModel::contact`] of such a model.
 ///
 /// # Errors
-/// Those of [`ContactModel::compile`].
+/// The errors of [`ContactModel::compile`].
 pub fn contact_of_laws(
     model: &dyn ContactModel,
     scene: &Scene,

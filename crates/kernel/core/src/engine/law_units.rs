@@ -1,4 +1,4 @@
-//! From a law's numbers to those of a scene.
+//! From a law's numbers to a scene's.
 
 use crate::engine::onset::Onset;
 use crate::{ContactError, Law, Quantity, Scene};

@@ -117,7 +117,7 @@ impl Laws {
     }
 }
 
-/// Whether a sample of some part is an integral itself, as those of angle averages are.
+/// Whether a sample of some part is an integral itself, as in angle averages.
 fn is_costly(law: &Law) -> bool {
     law.parts.iter().any(|part| part.form.unprepared((0.0, f64::INFINITY)).is_some())
 }

@@ -24,7 +24,7 @@ pub(crate) struct Facts {
 
 impl Facts {
     /// # Errors
-    /// For inputs that are missing, and those of [`Laws::new`].
+    /// For inputs that are missing, and the errors of [`Laws::new`].
     pub(crate) fn new(
         model: &dyn ContactModel,
         scene: &Scene,

@@ -1,5 +1,5 @@
 //! The quantities at one place: each integral is made when first needed and kept, or made
-//! beforehand with those of a run of places.
+//! beforehand with a run of places.
 
 use asperity_quadrature::Moments;
 

@@ -59,7 +59,7 @@ pub(crate) struct LocalShape(pub(crate) Arc<Shape>);
 pub(crate) struct RecentShapes<'s> {
     shapes: &'s Shapes,
     tolerance: Tolerance,
-    /// Shapes of the previous case, part by part: mostly those of the next one.
+    /// Shapes of the previous case, part by part: mostly the next one's as well.
     recent: Vec<Rc<LocalShape>>,
 }
 

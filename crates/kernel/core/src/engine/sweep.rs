@@ -59,7 +59,7 @@ impl<'m> Sweep<'m> {
     /// The quantities of one case, in the order of the sweep's.
     ///
     /// # Errors
-    /// Those of [`ContactModel::compile`] and
+    /// The errors of [`ContactModel::compile`] and
     /// [`ContactEngine::evaluate_at`](crate::ContactEngine::evaluate_at).
     pub fn evaluate(&self, case: &Case) -> Result<Vec<Evaluation>, ContactError> {
         Worker::new(self).run(std::slice::from_ref(case)).pop().unwrap_or(Ok(vec![]))
@@ -156,7 +156,7 @@ impl<'s> Worker<'s> {
         self.walk(cases, |integrals, at| Ok(separation_at(integrals, &at)?.s))
     }
 
-    /// `answer` of every case, with its laws and those of its neighbours at hand.
+    /// `answer` of every case, with its laws and its neighbours' at hand.
     fn walk<T>(
         &mut self,
         cases: &[Case],

@@ -23,7 +23,7 @@ pub struct StandardisedHeights<D> {
     name: String,
     distribution: D,
     mean: f64,
-    /// Standard deviation of the distribution over that of the heights \[1/m\].
+    /// Standard deviation of the distribution over the heights' \[1/m\].
     scale: f64,
     ln_scale: f64,
     support: (f64, f64),

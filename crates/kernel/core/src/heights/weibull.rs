@@ -23,7 +23,7 @@ const SHAPES: [f64; 2] = [1.0 / 64.0, 1.0];
 /// above 0 for sharp peaks; at 2 the heights are exponential. Published for asymmetric asperity
 /// heights \[recalled from memory\]; other densities of the same skewness differ in the upper tail,
 /// which determines the contact. Error bounds refer to the density with [`shape`](Self::shape),
-/// whose skewness equals the requested one to 1e-12. The skewness is that of the asperities, not
+/// whose skewness equals the requested one to 1e-12. The asperities have this skewness, not
 /// the Ssk of the surface, which includes the valleys.
 ///
 /// ```

@@ -74,7 +74,7 @@ pub struct Law {
     /// Interference at which x = 0, in interference units: 0 for most laws, below 0 if adhesion
     /// keeps an asperity in contact while it is pulled away.
     pub onset: f64,
-    /// The parts; their ranges may overlap, as those of lateral models do.
+    /// The parts; their ranges may overlap, as in lateral models.
     pub parts: Vec<Part>,
     /// How shares of regimes are counted, where not by `parts`.
     pub shares: Option<ShareParts>,
@@ -123,7 +123,7 @@ impl Law {
         self.with(Regime::Plastic, range, form)
     }
 
-    /// Subtracts the force of adhesion from that of an elastic contact.
+    /// Subtracts the force of adhesion from the elastic force.
     #[must_use]
     pub fn less_adhesion(mut self, range: Range<f64>, form: impl Into<Formula>) -> Self {
         self = self.with(Regime::Elastic, range, form);
@@ -143,7 +143,7 @@ impl Law {
     /// The law f(q) with `f` in SI units, in units of `value_unit`: for example the radius √(A/π)
     /// of a contact from its area. `name` describes it in plans.
     ///
-    /// `None` if parts overlap or are subtracted: the value is then not that of one contact.
+    /// `None` if parts overlap or are subtracted: no single contact has the value then.
     #[must_use]
     pub fn map(
         &self,

@@ -59,7 +59,7 @@ pub trait AsperityModel: Described {
 /// The law of a model for a quantity; `id` is the name of the model in errors.
 ///
 /// # Errors
-/// Those of [`ContactModel::law`](crate::ContactModel::law).
+/// The errors of [`ContactModel::law`](crate::ContactModel::law).
 pub(crate) fn law(
     (model, id): (&dyn AsperityModel, &str),
     asperity: &Asperity,

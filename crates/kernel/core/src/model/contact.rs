@@ -59,7 +59,7 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
     /// Force \[N\] and tangent -dF/dd \[N/m\] in one pass: for codes that step in time.
     ///
     /// # Errors
-    /// Those of [`evaluate_at`](Self::evaluate_at).
+    /// The errors of [`evaluate_at`](Self::evaluate_at).
     fn force_and_tangent_at(&self, at: At) -> Result<(Evaluation, Evaluation), ContactError> {
         let of = |quantity| self.evaluate_at(quantity, at);
         Ok((of(Quantity::Force)?, of(Quantity::Tangent)?))
@@ -100,7 +100,7 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
     /// pulled from contact, at the smallest, where the contact is stable (-dF/dd above 0).
     ///
     /// # Errors
-    /// Those of [`separations_at`](Self::separations_at).
+    /// The errors of [`separations_at`](Self::separations_at).
     fn separation_at(&self, load: f64) -> Result<Separation, ContactError> {
         let found = self.separations_at(load)?;
         let first = if load < 0.0 { found.first() } else { found.last() };
@@ -111,7 +111,7 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
     /// among the compiled quantities. `None` if no negative force is within the range of f64.
     ///
     /// # Errors
-    /// Those of [`separations_at`](Self::separations_at).
+    /// The errors of [`separations_at`](Self::separations_at).
     fn pull_off(&self) -> Result<Option<Separation>, ContactError> {
         Err(self.unsupported("a pull-off"))
     }
@@ -119,7 +119,7 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
     /// The share of every part of the law in a quantity (in the force, for the tangent).
     ///
     /// # Errors
-    /// Those of [`evaluate_at`](Self::evaluate_at), and [`ContactError::Unsupported`].
+    /// The errors of [`evaluate_at`](Self::evaluate_at), and [`ContactError::Unsupported`].
     fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {
         let _ = (quantity, at);
         Err(self.unsupported("shares of regimes"))
@@ -130,7 +130,7 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
     /// for others.
     ///
     /// # Errors
-    /// [`ContactError::Missing`] without a hardness, and those of
+    /// [`ContactError::Missing`] without a hardness, and the errors of
     /// [`evaluate_at`](Self::evaluate_at).
     fn shares_beyond(&self, at: At, multiples: &[f64]) -> Result<Option<Vec<f64>>, ContactError> {
         let _ = (at, multiples);
@@ -140,7 +140,7 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
     /// The plan for a request: integrals, terms and samples.
     ///
     /// # Errors
-    /// Those of [`evaluate_at`](Self::evaluate_at), and [`ContactError::Unsupported`].
+    /// The errors of [`evaluate_at`](Self::evaluate_at), and [`ContactError::Unsupported`].
     fn plan(&self, request: &Request) -> Result<Plan, ContactError> {
         let _ = request;
         Err(self.unsupported("a plan"))
@@ -151,7 +151,7 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// [`ContactError::OtherAsperity`] if the interface or the asperity radius differ, on which the
-    /// law depends, those of the scene, and [`ContactError::Unsupported`].
+    /// law depends, the errors of the scene, and [`ContactError::Unsupported`].
     fn on(&self, scene: &Scene) -> Result<Box<dyn Contact>, ContactError> {
         let _ = scene;
         Err(self.unsupported("moving to another scene"))
@@ -256,7 +256,7 @@ impl dyn Contact + '_ {
     /// separation itself.
     ///
     /// # Errors
-    /// Those of [`separations_at`](ContactEngine::separations_at).
+    /// The errors of [`separations_at`](ContactEngine::separations_at).
     pub fn separations(&self, at: impl Into<At>) -> Result<Vec<Separation>, ContactError> {
         match at.into() {
             At::Separation(separation) => Ok(vec![separation]),
@@ -291,7 +291,7 @@ impl dyn Contact + '_ {
     /// [`evaluate_at`](ContactEngine::evaluate_at); a plain number is a multiple of σ_z.
     ///
     /// # Errors
-    /// Those of [`evaluate_at`](ContactEngine::evaluate_at).
+    /// The errors of [`evaluate_at`](ContactEngine::evaluate_at).
     #[inline]
     pub fn evaluate(
         &self,
@@ -304,7 +304,7 @@ impl dyn Contact + '_ {
     /// [`force_and_tangent_at`](ContactEngine::force_and_tangent_at).
     ///
     /// # Errors
-    /// Those of [`evaluate_at`](ContactEngine::evaluate_at).
+    /// The errors of [`evaluate_at`](ContactEngine::evaluate_at).
     #[inline]
     pub fn force_and_tangent(
         &self,
@@ -316,7 +316,7 @@ impl dyn Contact + '_ {
     /// The separation of a place: of a load, the largest that carries it.
     ///
     /// # Errors
-    /// Those of [`separation_at`](ContactEngine::separation_at).
+    /// The errors of [`separation_at`](ContactEngine::separation_at).
     pub fn separation(&self, at: impl Into<At>) -> Result<Separation, ContactError> {
         match at.into() {
             At::Separation(separation) => Ok(separation),
@@ -325,10 +325,10 @@ impl dyn Contact + '_ {
     }
 
     /// The `separation` of a place in this unit, from this plane, on the scene of
-    /// this contact: for models of pairs, σ and the mean planes are those of both surfaces.
+    /// this contact: for models of pairs, σ and the mean planes of both surfaces.
     ///
     /// # Errors
-    /// Those of `separation` and [`Separation::measured_in`].
+    /// The errors of `separation` and [`Separation::measured_in`].
     pub fn separation_in(
         &self,
         unit: SeparationUnit,
@@ -341,7 +341,7 @@ impl dyn Contact + '_ {
     /// [`shares_at`](ContactEngine::shares_at).
     ///
     /// # Errors
-    /// Those of [`shares_at`](ContactEngine::shares_at).
+    /// The errors of [`shares_at`](ContactEngine::shares_at).
     pub fn shares(
         &self,
         quantity: Quantity,

@@ -8,7 +8,7 @@ use crate::{
     Scene, Tolerance,
 };
 
-/// From a law of one contact to that of an asperity that has several.
+/// From a law of one contact to the law of an asperity that has several.
 pub type SumOfContacts = fn(Law, &Asperity) -> Result<Law, ContactError>;
 
 /// A model of rough surfaces in contact.
@@ -28,7 +28,7 @@ pub trait ContactModel: Described {
     }
 
     /// The scene of a contact of this model on a scene, on which separations are counted: the given
-    /// one, but for models of pairs, whose heights are the sums of those of two surfaces.
+    /// one, but for models of pairs, whose heights are the sums over two surfaces.
     ///
     /// # Errors
     /// [`ContactError`] naming what the model of pairs refuses.
@@ -40,7 +40,7 @@ pub trait ContactModel: Described {
     ///
     /// # Errors
     /// [`ContactError::NoLaw`] for a quantity that is derived from others or that the model lacks,
-    /// [`ContactError::Unsupported`] for one that no law has, and those of the law.
+    /// [`ContactError::Unsupported`] for one that no law has, and the errors of the law.
     fn law(
         &self,
         asperity: &Asperity,
@@ -67,7 +67,7 @@ pub trait ContactModel: Described {
     /// Prepares a scene for the places of this request alone: no tables are made for others.
     ///
     /// # Errors
-    /// Those of [`compile`](Self::compile).
+    /// The errors of [`compile`](Self::compile).
     fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         self.compile(scene, request)
     }

@@ -6,7 +6,7 @@ use crate::{
     AsperityModel, Citation, ContactError, ContactModel, Described, HeightDistribution, Validity,
 };
 
-/// A model whose laws are averaged over other asperities than those of one radius under a flat:
+/// A model whose laws are averaged over other asperities than equal ones under a flat:
 /// `ke` becomes `ke-random` or `ke-pairs`.
 #[derive(Debug, Clone)]
 pub struct Variant {

@@ -49,7 +49,7 @@ impl Quantity {
         self.entry().derivation
     }
 
-    /// Whether errors and deviations are absolute: those of logarithms and shares are.
+    /// Whether errors and deviations are absolute, as for logarithms and shares.
     #[must_use]
     pub fn is_absolute(self) -> bool {
         matches!(self.derivation(), Derivation::Logarithm(_) | Derivation::RegimeShare(_))

@@ -74,7 +74,7 @@ impl Asperity {
     /// F_c = (2/3) π R w_c S H = (4/3) E √R w_c^(3/2) \[N\], the force at w_c. \[seen\]
     ///
     /// # Errors
-    /// Those of [`critical_interference`](Self::critical_interference).
+    /// The errors of [`critical_interference`](Self::critical_interference).
     pub fn critical_force(&self) -> Result<f64, ContactError> {
         let area = std::f64::consts::PI * self.radius * self.critical_interference()?;
         Ok(2.0 / 3.0 * area * self.pressure_factor * self.hardness()?)

@@ -67,10 +67,10 @@ impl Interface {
         }
     }
 
-    /// Two deformable bodies, in either order. Hardness, yield strength and ν are those of the body
+    /// Two deformable bodies, in either order. Hardness, yield strength and ν are of the body
     /// that yields: of the lower hardness; of two equally hard ones, of the lower yield strength,
     /// then of the smaller ν, whose w_c is smaller. If either body has no hardness they are those
-    /// of the lower Young's modulus. The tangent modulus is that of the body that yields, and of
+    /// of the lower Young's modulus. The tangent modulus is of the body that yields, and of
     /// both if they are equally hard; it is set only if both have the same E and ν.
     ///
     /// # Errors
@@ -102,7 +102,7 @@ impl Interface {
         })
     }
 
-    /// The thermal conductivity of an interface, 2 k₁ k₂/(k₁ + k₂), from those of its bodies, both
+    /// The thermal conductivity of an interface, 2 k₁ k₂/(k₁ + k₂), from its bodies', both
     /// above 0; all in W/(m K).
     #[must_use]
     pub fn mean_conductivity(first: f64, second: f64) -> f64 {

@@ -119,7 +119,7 @@ impl Scene {
     /// ψ = √(σ_z/w_c), the plasticity index.
     ///
     /// # Errors
-    /// Those of [`asperity`](Self::asperity) and [`Asperity::critical_interference`].
+    /// The errors of [`asperity`](Self::asperity) and [`Asperity::critical_interference`].
     pub fn plasticity_index(&self) -> Result<f64, ContactError> {
         let critical = self.asperity()?.critical_interference()?;
         Ok((self.surface.asperity_height_std / critical).sqrt())

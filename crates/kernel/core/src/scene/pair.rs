@@ -1,4 +1,4 @@
-//! Two rough surfaces that face each other: the numbers of each, and those of both together.
+//! Two rough surfaces that face each other: the numbers of each and of both together.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 

@@ -153,7 +153,7 @@ mod tests {
         let half =
             ratio.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, &measured).unwrap();
         assert!((half.value / (2e-6 + 2.0 * offset) - 1.0).abs() < 1e-15);
-        // A measured offset takes precedence over that of an isotropic Gaussian surface.
+        // A measured offset takes precedence over the isotropic Gaussian surface's.
         let measured = Scene { mean_plane_offset: Some(0.25e-6), ..scene };
         let gap = Separation::metres(1e-6).from_surface_mean();
         assert!((gap.in_sigma(&measured).unwrap().s - 1.5).abs() < 1e-14);

@@ -136,7 +136,7 @@ impl Surface {
     /// \[derived\]
     ///
     /// # Errors
-    /// [`ContactError`] when an input is not positive; those of
+    /// [`ContactError`] when an input is not positive; the errors of
     /// [`from_moments`](Self::from_moments).
     pub fn from_mean_slope(
         surface_height_std: f64,
@@ -155,7 +155,7 @@ impl Surface {
     /// \[1/m\]. The peaks are taken for the asperities: η = Spd, R = 1/Spc.
     ///
     /// # Errors
-    /// [`ContactError`] when an input is not positive; those of
+    /// [`ContactError`] when an input is not positive; the errors of
     /// [`from_surface_std`](Self::from_surface_std).
     pub fn from_iso25178(sq: f64, spd: f64, spc: f64) -> Result<Self, ContactError> {
         let (sq, spd) = (positive("sq", sq)?, positive("spd", spd)?);

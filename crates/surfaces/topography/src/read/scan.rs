@@ -198,8 +198,8 @@ const CODED: f64 = 0.01;
 /// The fewest heights among which a code is looked for.
 const FEWEST: usize = 50;
 
-/// Refuses heights whose lowest or highest value is exactly that of many points, apart from those of
-/// all others: it may mark missing points.
+/// Refuses heights whose lowest or highest value is exactly that of many points, apart from those
+/// of all others: it may mark missing points.
 fn refuse_code(heights: &[f64]) -> Result<(), TopographyError> {
     let measured = || heights.iter().copied().filter(|z| !z.is_nan());
     let n = measured().count();

@@ -64,8 +64,8 @@ pub(super) fn scan(
     Ok(scan)
 }
 
-/// Makes positions over the columns, in a line such as `y\x,0.0,0.5,1.0`, the first row, and returns
-/// the name before them.
+/// Makes positions over the columns, in a line such as `y\x,0.0,0.5,1.0`, the first row, and
+/// returns the name before them.
 ///
 /// # Errors
 /// [`TopographyError::Content`] for a line of numbers that is no row.
@@ -261,7 +261,8 @@ fn column(block: &Block, at: usize, from: usize) -> Vec<f64> {
     block.values.chunks(block.columns).skip(from).map(|row| row[at]).collect()
 }
 
-/// The largest distance of numbers from a line through the first and the last, in steps of the line.
+/// The largest distance of numbers from a line through the first and the last, in steps of the
+/// line.
 fn deviation(values: &[f64]) -> f64 {
     let (Some(first), Some(last)) = (values.first(), values.last()) else { return f64::INFINITY };
     let step = (last - first) / (values.len() - 1) as f64;

@@ -75,7 +75,7 @@ fn the_work_of_each_leg_is_the_area_under_its_points() {
             }
         }
         for (found, sum) in path.work.iter().zip(&sums) {
-            // Slopes at the turning points are those of the leg before: one trapezium of 400.
+            // Slopes at the turning points belong to the leg before: one trapezium of 400.
             assert!((found / sum - 1.0).abs() < 1e-4, "{law}: {:?} {sums:?}", path.work);
         }
         // The work of the history is the loss at the closest approach, corrected for the work

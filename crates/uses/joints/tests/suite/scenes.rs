@@ -37,7 +37,7 @@ pub fn flat(plasticity_index: f64) -> Scene {
     scene
 }
 
-/// A tolerance below that of any comparison.
+/// A tolerance below every comparison's.
 pub fn tight() -> Tolerance {
     Tolerance::new(1e-12).unwrap()
 }

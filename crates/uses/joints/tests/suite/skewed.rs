@@ -75,7 +75,7 @@ fn flat_heights_open_up_to_the_last_contact() {
     };
     for closest in [-0.5, 0.0, 0.7] {
         let top = (2.0 - closest) * SIGMA;
-        // Heights end at 2 σ_z: a sum of 4/3 E √R w^1.5 over those of 0 to h is 8/15 E √R h^2.5.
+        // Heights end at 2 σ_z: a sum of 4/3 E √R w^1.5 over 0 to h is 8/15 E √R h^2.5.
         let way = joint(&GreenwoodWilliamson, 1e-9).unloading(At::metres(closest * SIGMA)).unwrap();
         let (e, radius) = (scene.interface.equivalent_modulus, scene.surface.asperity_radius);
         for h in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6].map(|h| h * top) {

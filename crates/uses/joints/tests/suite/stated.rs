@@ -43,7 +43,7 @@ fn value(model: &dyn ContactModel, scene: &Scene, quantity: Quantity, separation
 
 #[test]
 fn forces_of_kogut_and_etsion_on_the_way_back_equal_the_stated_shares() {
-    // The shares depend on the plasticity index and, beyond 110 w_c, on K: that of nu = 0.3.
+    // The shares depend on the plasticity index and, beyond 110 w_c, on K: here of nu = 0.3.
     let mut interface = Interface::new(116e9, 0.3, 1.12e9);
     interface.pressure_factor = Some(0.577);
     let surface = Surface::from_plasticity_index(6.0, 0.04, SIGMA, &interface).unwrap();
@@ -143,7 +143,7 @@ fn small_vibrations_are_stiffer_than_first_loading_by_the_stated_factors() {
 
 #[test]
 fn kogut_etsion_and_jackson_green_are_near_finite_elements() {
-    // Small slopes, as those of the elements: the strength is a small share of the modulus.
+    // Small slopes, as in the elements: the strength is a small share of the modulus.
     let mut interface = Interface::new(116e9, 0.3, 1.12e6);
     interface.yield_strength = Some(0.4e6);
     let surface = Surface::from_plasticity_index(2.0, 0.04, SIGMA, &interface).unwrap();

@@ -13,7 +13,7 @@ pub(super) static EXPONENTIAL: LazyLock<Result<Arc<Weight>, QuadratureError>> =
         Weight::new("the exponential density", ln, (0.0, f64::INFINITY), &[], 0.0).map(Arc::new)
     });
 
-/// Tolerance of an integral over that of its slope, a difference of two integrals far below 0: a
+/// Tolerance of an integral over its slope's, a difference of two integrals far below 0: a
 /// separation of a thousand σ_z takes away as much.
 const FINER: f64 = 1e-3;
 

@@ -193,7 +193,7 @@ impl Gaussian {
         Ok(with_slope_within(found, |to| self.finer(to), (self.scale, s), self.tolerance))
     }
 
-    /// The density to a tolerance: that of all slopes but the deepest is made once.
+    /// The density to a tolerance: one for all slopes but the deepest is made once.
     fn finer(&self, tolerance: f64) -> Density {
         let usual = FINER_BELOW * self.tolerance;
         match tolerance < usual {
