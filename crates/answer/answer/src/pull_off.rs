@@ -1,7 +1,7 @@
 //! The largest tension of surfaces with adhesion.
 
 use asperity::recommended::{DMT, JKR_SEPARATION};
-use asperity::{ContactModel, Quantity, Request, Scene, SeparationUnit, Tolerance, short};
+use asperity::{Code, ContactModel, Quantity, Request, Scene, SeparationUnit, Tolerance, short};
 use asperity_inputs::SceneFile;
 
 use crate::models::note_adhesion;
@@ -33,7 +33,7 @@ pub fn pull_off(
         let found = contact.and_then(|contact| asperity::pull_off(&*contact));
         let found = found.map_err(|error| AnswerError::from(error).of_model(id))?;
         let Some(found) = found else {
-            sheet.note("no-value", format!("{id}: no pull-off force{}", hidden(scene)));
+            sheet.note(Code::NoValue, format!("{id}: no pull-off force{}", hidden(scene)));
             sheet.add(&[id], [Cell::BLANK]);
             continue;
         };

@@ -3,7 +3,7 @@
 
 use std::f64::consts::FRAC_2_PI;
 
-use asperity::{Finding, nearest_name, short};
+use asperity::{Code, Finding, nearest_name, short};
 
 use crate::SceneError;
 use crate::document::Document;
@@ -263,7 +263,7 @@ impl Drawing<'_> {
         let mut found = vec![];
         let mut warn = |key: &'static str, value: f64, fact: String, advice: &str| {
             let place = self.document.place(&self.at(key)).to_string();
-            let warning = Finding::warning("roughness-numbers", key, value);
+            let warning = Finding::warning(Code::RoughnessNumbers, key, value);
             found.push(warning.fact(fact).advice(advice.to_string()).from_origin(place));
         };
         // Where Rq is not given, some value of its range is to go with Rz.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use asperity::{Finding, plain_unit as plain, short, vickers_of_rockwell_c};
+use asperity::{Code, Finding, plain_unit as plain, short, vickers_of_rockwell_c};
 
 use crate::Key;
 use crate::scaled::{leading, scale};
@@ -118,7 +118,7 @@ const STEEPEST: f64 = 200.0;
 #[must_use]
 pub fn likely_angle(name: &str, gradient: f64) -> Option<Finding> {
     let (given, hint) = (short(gradient), angle_hint(gradient)?);
-    let found = Finding::warning("likely-unit", name.to_string(), gradient);
+    let found = Finding::warning(Code::LikelyUnit, name.to_string(), gradient);
     let found = found.fact(format!("{name} is {given}, steeper than 45 degrees"));
     Some(found.advice(format!("{given} {hint}")))
 }

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::{ContactError, Finding, Pair, ProfileMoments, Scene, Surface, TabulatedHeights};
+use asperity::{
+    Code, ContactError, Finding, Pair, ProfileMoments, Scene, Surface, TabulatedHeights,
+};
 use asperity_topography::{
     Estimator, HeightDensity, Statistics, Topography, TopographyError, read, read_bytes,
 };
@@ -30,13 +32,13 @@ pub(crate) enum Asked {
 const BANDWIDTH: f64 = 3.0;
 
 /// Codes of warnings about a scan that describe the sum of two surfaces, not one of them.
-const OF_SUM: [&str; 6] = [
-    "anisotropic",
-    "estimators-disagree",
-    "no-asperities",
-    "no-second-estimator",
-    "outliers",
-    "roughness-parameter",
+const OF_SUM: [Code; 6] = [
+    Code::Anisotropic,
+    Code::EstimatorsDisagree,
+    Code::NoAsperities,
+    Code::NoSecondEstimator,
+    Code::Outliers,
+    Code::RoughnessParameter,
 ];
 
 /// A scan of a scene.

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use asperity::{
-    Body, ContactError, Datum, Finding, Findings, HeightDistribution, Scene, Separation,
+    Body, Code, ContactError, Datum, Finding, Findings, HeightDistribution, Scene, Separation,
     SeparationUnit, Surface, TabulatedHeights, WeibullHeights,
 };
 use asperity_topography::Topography;
@@ -47,7 +47,7 @@ pub struct SceneFile {
     /// Warnings about the file.
     pub warnings: Findings,
     /// Codes of accepted warnings and notes, which are not shown.
-    pub accept: Vec<String>,
+    pub accept: Vec<Code>,
     /// The scan of the surface, levelled and filtered, if there is exactly one.
     pub scan: Option<Arc<Topography>>,
     /// Of two surfaces, the scan with the larger m4, if one of them has.
@@ -158,7 +158,7 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     let options = ModelOptions::default().with_keys(document, "options")?;
     let nominal_area = document.needed_number("nominal_area")?;
     let accept: Vec<String> = document.get("accept")?.unwrap_or_default();
-    accept::check(document, &accept)?;
+    let accept = accept::codes(document, &accept)?;
     let (interface, interface_section, bodies) = interface(document)?;
     let heights: HeightsKey = document.get("surface.heights")?.unwrap_or_default();
     let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
@@ -214,7 +214,7 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     let is_map = file.scan.as_deref().is_some_and(|scan| height_map(scan).is_ok());
     if let Some(exponent) = options.hurst_exponent.filter(|_| is_map) {
         let at = document.place("options.hurst_exponent");
-        let found = Finding::warning("hurst-exponent", "hurst_exponent", exponent)
+        let found = Finding::warning(Code::HurstExponent, "hurst_exponent", exponent)
             .fact("persson and persson-fudge use a power law instead of the spectrum of the scan")
             .advice("remove hurst_exponent to use the spectrum of the scan");
         notes.push(found.from_origin(at.to_string()));

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 use asperity::{
-    At, Check, ContactError, ContactModel, Finding, Pair, ProfileMoments, Severity, Surface,
+    At, Check, Code, ContactError, ContactModel, Finding, Pair, ProfileMoments, Severity, Surface,
 };
 
 use crate::{Place, SceneError, SceneFile};
@@ -245,7 +245,7 @@ impl SceneFile {
     #[must_use]
     pub fn smooth_counterface(&self) -> Option<Finding> {
         let is_alone = self.faces.len() == 1 && !self.spreads().is_empty();
-        let found = Finding::note("smooth-counterface", "counterface", f64::NAN)
+        let found = Finding::note(Code::SmoothCounterface, "counterface", f64::NAN)
             .fact("the other surface is taken as smooth (by models of pairs as rough as this one)")
             .advice("describe it as counterface if it is rough, too");
         is_alone.then_some(found)

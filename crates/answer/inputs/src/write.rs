@@ -114,7 +114,10 @@ impl SceneFile {
         top.insert("nominal_area".into(), self.scene.nominal_area.into());
         top.insert("surface".into(), self.surface_keys(heights)?.into());
         if !self.accept.is_empty() {
-            top.insert("accept".into(), self.accept.clone().into());
+            top.insert(
+                "accept".into(),
+                self.accept.iter().map(|code| code.name()).collect::<Vec<_>>().into(),
+            );
         }
         if let Some(gas) = self.gas {
             top.insert("gap".into(), Table::try_from(gas).unwrap_or_default().into());

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use asperity::Severity;
 use asperity::fit::{DataColumn, FitError, MeasuredTable, rank};
+use asperity::{Code, Severity};
 use asperity_answer::Watch;
 use asperity_inputs::{Free, SceneError, read_measurements};
 use pyo3::prelude::*;
@@ -49,7 +49,7 @@ pub(crate) fn fit<'py>(
                 return Err(engine.raise(py, reason));
             }
             Err(error @ SceneError::Fit(FitError::NoStart { .. })) if !alone => {
-                warn_text(py, &file.accept, "left-out", format!("left out: {error}"))?;
+                warn_text(py, &file.accept, Code::LeftOut, format!("left out: {error}"))?;
             }
             Err(error) => return Err(value_error(error)),
         }

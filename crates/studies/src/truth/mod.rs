@@ -2,8 +2,8 @@
 //!
 //! Random surfaces (`asperity::bem::RandomSurface`, seeds 1, 2, ...) are solved elastically and
 //! with several hardnesses, and kept under target/truth. The results are in
-//! `crates/answer/judge/data/truth.csv`, which `asperity::Evidence` reads; figures and tables follow
-//! from that text alone.
+//! `crates/answer/judge/data/truth.csv`, which `asperity::Evidence` reads; figures and tables
+//! follow from that text alone.
 
 mod family;
 mod feeding;

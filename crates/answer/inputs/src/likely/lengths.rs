@@ -1,6 +1,6 @@
 //! Separations that look like another unit.
 
-use asperity::{Finding, SeparationUnit};
+use asperity::{Code, Finding, SeparationUnit};
 
 /// Separations beyond this many σ_z are unlikely.
 const FAR: f64 = 1e3;
@@ -38,6 +38,6 @@ pub fn mistaken_unit(
     };
     // A gap next to 0 that is none in metres either is meant so, and an infinite one, too.
     let is_odd = size > usual[1] || size < usual[0] && GAPS.contains(&(size / height_std));
-    let found = Finding::warning("likely-unit", name.to_string(), value).usual(usual).unit(si);
+    let found = Finding::warning(Code::LikelyUnit, name.to_string(), value).usual(usual).unit(si);
     (is_odd && size.is_finite()).then(|| found.advice(remedy.to_string()))
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use asperity::{Finding, likely_unit, short};
+use asperity::{Code, Finding, likely_unit, short};
 
 use crate::document::Document;
 use crate::keys::joined;
@@ -31,7 +31,7 @@ pub(crate) fn in_other_unit(
     (key, value, hint): (&'static str, f64, String),
 ) -> Finding {
     let fact = format!("{} = {} {hint}", document.place(&joined(section, key)), short(value));
-    Finding::warning("unusual-size", key, value).fact(fact)
+    Finding::warning(Code::UnusualSize, key, value).fact(fact)
 }
 
 /// The key of a slope with which no isotropic Gaussian surface has the other numbers, the slope,

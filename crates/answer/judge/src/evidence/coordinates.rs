@@ -215,8 +215,8 @@ pub(crate) fn gradient(moments: &ProfileMoments) -> f64 {
     (2.0 * moments.m2).sqrt()
 }
 
-/// The property and the reason why a value above 0 of some surfaces has no evidence, outside a range
-/// by more than this factor.
+/// The property and the reason why a value above 0 of some surfaces has no evidence, outside a
+/// range by more than this factor.
 fn outside(
     (property, of, value, [low, high], beyond): (&'static str, &str, f64, [f64; 2], f64),
 ) -> Option<(&'static str, String)> {
