@@ -1,7 +1,8 @@
 //! Findings of `check`: mistakes are reported, unusual scenes are not.
 
 use asperity::{
-    At, Body, Check, Finding, HeightDistribution, Interface, Plausible, Scene, Severity, Surface,
+    At, Body, Check, Code, Finding, HeightDistribution, Interface, Plausible, Scene, Severity,
+    Surface,
 };
 
 use crate::scenes::{model, named};
@@ -255,7 +256,7 @@ fn findings_at_a_load_report_depth_and_crowding() {
     // Units count: -1 σ_z is closer than 4e-6 m, though a smaller number.
     let places = [At::from(-1.0), At::metres(4e-6)];
     let found = Check::answers(&model("ke"), &scene, &places);
-    assert_eq!(found.first().map(|f| f.code), Some("crowded"));
+    assert_eq!(found.first().map(|f| f.code), Some(Code::Crowded));
 }
 
 #[test]
@@ -317,7 +318,7 @@ fn a_work_of_adhesion_in_another_unit_is_named_and_tabors_parameter_is_derived()
     };
     let found = of_work(&check(50.0));
     let [finding] = &found[..] else { panic!("{found:?}") };
-    assert_eq!((finding.code, finding.severity), ("unusual-size", Severity::Warning));
+    assert_eq!((finding.code, finding.severity), (Code::UnusualSize, Severity::Warning));
     let unit = finding.likely_unit.as_deref();
     assert_eq!(unit, Some("50 looks like mJ/m2; 50 mJ/m2 is 0.05 J/m2"));
     let usual = check(0.05);

@@ -100,7 +100,7 @@ fn markdown(part: &str) -> Result<String> {
     match part {
         MODELS => Ok(models()),
         "list of quantities" => quantities(),
-        "list of findings" => Ok(Code::all().map(finding).collect()),
+        "list of findings" => Ok(Code::ALL.iter().map(finding).collect()),
         "list of figures" => figures(),
         path => {
             let text = read(&root().join(path))?;
@@ -255,7 +255,8 @@ fn quantities() -> Result<String> {
 }
 
 /// What the code of a warning or note means, and what to do.
-fn finding(Code { name, meaning, harmless, remedy }: Code) -> String {
+fn finding(code: &Code) -> String {
+    let (name, [meaning, harmless, remedy]) = (code.name(), code.texts());
     format!("### `{name}`\n\n{meaning}\n\nHarmless: {harmless}\n\nTo do: {remedy}\n\n")
 }
 

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use asperity::bem::{
     Bem, BemError, BoundaryElements, Continuation, Direction, Leak, LoadCase, Progress, Solution,
 };
-use asperity::{ContactError, ContactModel, Finding, Findings, Quantity, Request};
+use asperity::{Code, ContactError, ContactModel, Finding, Findings, Quantity, Request};
 use asperity_inputs::SceneFile;
 
 use crate::models::once;
@@ -159,7 +159,7 @@ impl<'a> Press<'a> {
         let half = half.map(|half| self.rows(&half, sheet, watch)).transpose()?;
         let half = half.map(|(rows, _, of_half)| {
             // What the whole grid is too coarse for, half of it is, too.
-            let known: Vec<&str> = found.iter().map(|one| one.code).collect();
+            let known: Vec<Code> = found.iter().map(|one| one.code).collect();
             let new: Vec<Finding> =
                 of_half.into_iter().filter(|one| !known.contains(&one.code)).collect();
             found.extend(new);
@@ -228,7 +228,7 @@ impl<'a> Press<'a> {
             Err(error) => errors.push(error.to_string()),
         });
         errors.append(&mut lacks);
-        once(&errors).iter().for_each(|text| sheet.warn("no-value", text));
+        once(&errors).iter().for_each(|text| sheet.warn(Code::NoValue, text));
         let grid = format!("{rows} x {columns} pixels");
         let kept = kept.into_iter().flatten().collect();
         Ok((answers, kept, found.into_iter().map(|one| one.from_origin(grid.clone())).collect()))

@@ -1,7 +1,7 @@
 //! Models divided by their expected ratio to boundary elements, with the interval, beside the
 //! models as they are.
 
-use asperity::{Compared, ContactError, Quantity, Separation, SeparationUnit};
+use asperity::{Code, Compared, ContactError, Quantity, Separation, SeparationUnit};
 
 use crate::asked::Asked;
 use crate::blanks::Blanks;
@@ -78,7 +78,7 @@ impl Inquiry<'_> {
         if let Some(basis) = lighter.first() {
             let (loads, basis) = (loads(lighter.len()), format!("whose ratios are used ({basis})"));
             let text = format!("{id}: {loads}the load is below the lightest solved one, {basis}");
-            sheet.note("extrapolated", text);
+            sheet.note(Code::Extrapolated, text);
         }
         let of_area = |q: &Quantity| matches!(Compared::behind(*q), Some((Compared::Area, _)));
         if least > 0 && self.request.quantities.iter().any(of_area) {

@@ -1,7 +1,7 @@
 //! A joint through a history of turning points.
 
 use asperity::joints::{Joint, Path, UnloadingLaw};
-use asperity::{At, ContactError, Finding, Separation, SeparationUnit};
+use asperity::{At, Code, ContactError, Finding, Separation, SeparationUnit};
 
 use crate::number::rounded;
 use crate::sheet::warning;
@@ -54,7 +54,7 @@ pub fn history(
             if open > 0 {
                 let all = path.points.len();
                 let text = format!("the joint is open at {open} of {all} points");
-                found.push((Err(warning("few-contacts", text).into()), joint.law()));
+                found.push((Err(warning(Code::FewContacts, text).into()), joint.law()));
             }
         }
         subject.report_laws(sheet, found);
@@ -68,7 +68,7 @@ fn work(joint: &Joint, path: &Path) -> Option<Result<String, Box<Finding>>> {
         Ok(work) => work.spent.value(),
         Err(error) => {
             return Some(Err(
-                warning("no-value", format!("the work is unavailable: {error}")).into()
+                warning(Code::NoValue, format!("the work is unavailable: {error}")).into()
             ));
         }
     };

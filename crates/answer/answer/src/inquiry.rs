@@ -1,7 +1,7 @@
 //! What is asked of a scene: models, quantities and places, and how the answer is shown.
 
 use asperity::recommended::JKR;
-use asperity::{At, ContactError, Described, Evaluation, Findings, Model, Quantity, Request};
+use asperity::{At, Code, ContactError, Described, Evaluation, Findings, Model, Quantity, Request};
 use asperity_inputs::SceneFile;
 
 use crate::asked::{Asked, Line};
@@ -301,13 +301,13 @@ impl Found {
     /// Adds the findings to the sheet, one for each reason.
     fn report(&mut self, file: &SceneFile, sheet: &mut Sheet) {
         for (reason, ids) in grouped(self.lacking.drain(..)) {
-            sheet.findings.push(warning("no-value", reason).of_model(ids.join(", ")));
+            sheet.findings.push(warning(Code::NoValue, reason).of_model(ids.join(", ")));
         }
         if !self.without_tension.is_empty() {
             let ids = once(&self.without_tension);
             let verb = if ids.len() == 1 { "carries" } else { "carry" };
             let text = format!("{} {verb} no tension; use {ADHESIVE}", ids.join(", "));
-            sheet.warn("no-tension", text);
+            sheet.warn(Code::NoTension, text);
         }
         let of_places = file.accepted(std::mem::take(&mut self.of_places));
         sheet.extend(of_places.at_least(asperity::Severity::Warning));

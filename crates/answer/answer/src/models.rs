@@ -3,7 +3,7 @@
 use asperity::bem::Bem;
 use asperity::recommended::YIELDING;
 use asperity::{
-    ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity,
+    Code, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity,
     usual_reference,
 };
 use asperity_inputs::{LeftOut, SceneFile};
@@ -45,7 +45,7 @@ pub fn one_or_usual(
             "the default model is {}, which ignores yielding, as hardness is missing; {YIELDING} need it",
             model.id()
         );
-        let found = Finding::note("default-model", "hardness", f64::NAN).fact(text);
+        let found = Finding::note(Code::DefaultModel, "hardness", f64::NAN).fact(text);
         sheet.findings.push(found.from_origin(name));
     }
     Ok(model)
@@ -77,7 +77,7 @@ pub fn models(
             _ => true,
         });
         for text in by_reason(left_out.iter().map(|model| (&*model.id, &model.reason))) {
-            sheet.note("left-out", format!("left out: {text}"));
+            sheet.note(Code::LeftOut, format!("left out: {text}"));
         }
         models
     };
@@ -97,7 +97,8 @@ fn by_name(requested: &[String]) -> bool {
 
 /// Notes which models include the scene's adhesion, where it has any.
 pub(crate) fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
-    sheet.extend(file.findings().into_iter().filter(|found| found.code == "adhesion").collect());
+    sheet
+        .extend(file.findings().into_iter().filter(|found| found.code == Code::Adhesion).collect());
 }
 
 /// The reason of a model whose id stands in front of it.

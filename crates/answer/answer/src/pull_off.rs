@@ -2,7 +2,8 @@
 
 use asperity::recommended::{DMT, JKR_SEPARATION};
 use asperity::{
-    ContactModel, Described, Model, Quantity, Request, Scene, SeparationUnit, Tolerance, short,
+    Code, ContactModel, Described, Model, Quantity, Request, Scene, SeparationUnit, Tolerance,
+    short,
 };
 use asperity_inputs::SceneFile;
 
@@ -37,7 +38,7 @@ pub fn pull_off(
         let found = contact.and_then(|contact| asperity::pull_off(&*contact));
         let found = found.map_err(|error| AnswerError::from(error).of_model(id))?;
         let Some(found) = found else {
-            sheet.note("no-value", format!("{id}: no pull-off force{}", hidden(scene)));
+            sheet.note(Code::NoValue, format!("{id}: no pull-off force{}", hidden(scene)));
             sheet.add(&[id], [Cell::BLANK]);
             continue;
         };

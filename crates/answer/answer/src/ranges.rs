@@ -1,6 +1,6 @@
 //! Answers on a surface that is known within ranges: every number with its lower and upper end.
 
-use asperity::{Quantity, map_runs};
+use asperity::{Code, Quantity, map_runs};
 use asperity_inputs::{AT_AN_END, SceneFile, Unknown, worst_at_ends};
 
 use crate::inquiry::{ENDS, column_of_end};
@@ -106,7 +106,7 @@ impl Ends<'_> {
             sheet.heads.splice(column + 1..column + 1, heads);
         }
         if blank > 0 {
-            sheet.warn("no-value", format!("{blank} values are blank: {NO_RANGE}"));
+            sheet.warn(Code::NoValue, format!("{blank} values are blank: {NO_RANGE}"));
         }
     }
 
@@ -185,7 +185,7 @@ impl Ends<'_> {
         sheet.result(text);
         if widths.iter().any(|(quantity, _)| STIFFNESSES.contains(quantity)) {
             let text = "waviness longer than lambda_c is not in the roughness and can only make the joint softer than these stiffnesses";
-            sheet.note("waviness", text);
+            sheet.note(Code::Waviness, text);
         }
         sheet.findings.extend(self.file.smooth_counterface());
     }

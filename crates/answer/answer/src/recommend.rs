@@ -2,7 +2,7 @@
 //! each is.
 
 use asperity::{
-    Asperities, At, Compared, Comparison, Model, Quantity, Recommendation, Request, Tolerance,
+    Asperities, At, Code, Compared, Comparison, Model, Quantity, Recommendation, Request, Tolerance,
 };
 use asperity_inputs::SceneFile;
 
@@ -118,7 +118,7 @@ impl Recommend<'_> {
             lacking.extend(lacks.chain(whole).map(|error| (id, error)));
         }
         for text in by_reason(lacking) {
-            sheet.note("no-value", format!("no value: {text}"));
+            sheet.note(Code::NoValue, format!("no value: {text}"));
         }
         self.report(file, &advice, sheet);
         Ok(advice)

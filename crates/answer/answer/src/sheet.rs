@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity::{ContactError, Finding, Findings};
+use asperity::{Code, ContactError, Finding, Findings};
 use serde::{Serialize, Serializer};
 
 /// Rows under the names of their columns, which end with the unit: `force_N`.
@@ -116,12 +116,12 @@ impl Sheet {
     }
 
     /// Adds a note that is a sentence of its own, unless it stands there already.
-    pub fn note(&mut self, code: &'static str, text: impl Into<String>) {
+    pub fn note(&mut self, code: Code, text: impl Into<String>) {
         self.add_once(note(code, text));
     }
 
     /// Adds a warning that is a sentence of its own, unless it stands there already.
-    pub fn warn(&mut self, code: &'static str, text: impl Into<String>) {
+    pub fn warn(&mut self, code: Code, text: impl Into<String>) {
         self.add_once(warning(code, text));
     }
 
@@ -139,11 +139,11 @@ impl Sheet {
 }
 
 /// A note that is a sentence of its own.
-pub(crate) fn note(code: &'static str, text: impl Into<String>) -> Finding {
+pub(crate) fn note(code: Code, text: impl Into<String>) -> Finding {
     Finding::note(code, "", f64::NAN).fact(text.into())
 }
 
 /// A warning that is a sentence of its own.
-pub(crate) fn warning(code: &'static str, text: impl Into<String>) -> Finding {
+pub(crate) fn warning(code: Code, text: impl Into<String>) -> Finding {
     Finding::warning(code, "", f64::NAN).fact(text.into())
 }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use asperity::joints::{EnergyGain, Joint, UnloadingLaw, Work};
 use asperity::{
-    At, ContactError, Finding, Findings, Model, Scene, Separation, SeparationUnit, Severity,
+    At, Code, ContactError, Finding, Findings, Model, Scene, Separation, SeparationUnit, Severity,
     Tolerance,
 };
 use asperity_inputs::{SceneFile, mistaken_unit};
@@ -63,7 +63,7 @@ impl Subject<'_> {
 
     /// Warns of blank cells of the model.
     pub(crate) fn warn_blank(&self, sheet: &mut Sheet, text: String) {
-        sheet.findings.push(warning("no-value", text).from_origin(self.name));
+        sheet.findings.push(warning(Code::NoValue, text).from_origin(self.name));
     }
 
     /// The scene over whose heights the model averages.

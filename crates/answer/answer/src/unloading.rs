@@ -1,7 +1,7 @@
 //! A joint that opens from its closest approach.
 
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
-use asperity::{At, ContactError, Evaluation, Finding, Scene, SeparationUnit, linspace};
+use asperity::{At, Code, ContactError, Evaluation, Finding, Scene, SeparationUnit, linspace};
 
 use crate::blanks::Blanks;
 use crate::number::rounded;
@@ -96,7 +96,9 @@ fn work(
         Ok([spent, lost, factor]) => Ok(format!(
             "closing takes {spent} J, of which {lost} J are dissipated in the first cycle (loss factor {factor})"
         )),
-        Err(error) => Err(warning("no-value", format!("the work is unavailable: {error}")).into()),
+        Err(error) => {
+            Err(warning(Code::NoValue, format!("the work is unavailable: {error}")).into())
+        }
     }
 }
 
@@ -105,13 +107,13 @@ fn last_contact(end: &Result<f64, ContactError>) -> Result<String, Box<Finding>>
     let few = "fewer than one asperity touches on average";
     match end {
         Ok(0.0) => {
-            Err(warning("few-contacts", format!("even at the closest approach, {few}")).into())
+            Err(warning(Code::FewContacts, format!("even at the closest approach, {few}")).into())
         }
         Ok(end) => {
             Ok(format!("contact ends at a retreat of {} m, beyond which {few}", rounded(*end)))
         }
         Err(error) => {
-            Err(note("no-value", format!("the end of contact was not found: {error}")).into())
+            Err(note(Code::NoValue, format!("the end of contact was not found: {error}")).into())
         }
     }
 }
@@ -148,6 +150,6 @@ fn add_rows(
         numbers.push(value(opening.contacts(retreat))?);
         sheet.add(&[subject.id, &name], numbers);
     }
-    let blank = |text: String| (Err(warning("no-value", text).into()), law);
+    let blank = |text: String| (Err(warning(Code::NoValue, text).into()), law);
     Ok(blanks.texts(retreats.len()).map(blank).collect())
 }

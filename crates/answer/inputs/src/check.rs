@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
-    Advice, At, Check, Contact, ContactError, ContactModel, Finding, Findings, HARDNESS_OVER_YIELD,
-    HeightDistribution, Plausible, ProfileMoments, plain_findings, short,
+    Advice, At, Check, Code, Contact, ContactError, ContactModel, Finding, Findings,
+    HARDNESS_OVER_YIELD, HeightDistribution, Plausible, ProfileMoments, plain_findings, short,
 };
 use asperity_topography::Statistics;
 
@@ -133,7 +133,7 @@ impl SceneFile {
             let place =
                 self.origin.as_ref().map_or_else(|| Place::field(&*path), |of| of.place(&path));
             let fact = format!("{place} = {} {hint}", short(value));
-            Some(Finding::warning("unusual-size", key, value).fact(fact))
+            Some(Finding::warning(Code::UnusualSize, key, value).fact(fact))
         })
     }
 
@@ -235,7 +235,7 @@ impl SceneFile {
             false => "the other body is assumed to be the softer one",
         };
         let modulus = body.youngs_modulus;
-        let finding = Finding::warning("no-hardness", "youngs_modulus", modulus)
+        let finding = Finding::warning(Code::NoHardness, "youngs_modulus", modulus)
             .unit("Pa")
             .fact(format!("body[{k}] has neither hardness nor yield_strength"))
             .advice(advice);
@@ -261,7 +261,7 @@ impl SceneFile {
         );
         let advice =
             "soft metals harden as they yield: give the measured hardness, such as \"150 HV\"";
-        let found = Finding::note("hardness-by-yield", "yield_strength", softer.yield_strength?);
+        let found = Finding::note(Code::HardnessByYield, "yield_strength", softer.yield_strength?);
         Some(found.unit("Pa").fact(fact).advice(advice))
     }
 
@@ -272,7 +272,7 @@ impl SceneFile {
             && first.yield_strength == second.yield_strength
             && first.hardness.or(first.yield_strength).is_some();
         let [one, other] = [first, second].map(|body| body.poissons_ratio);
-        let found = Finding::warning("equally-hard", "poissons_ratio", one.min(other));
+        let found = Finding::warning(Code::EquallyHard, "poissons_ratio", one.min(other));
         let advice =
             format!("the body with the smaller poissons_ratio ({}) yields first", one.min(other));
         (alike && (one - other).abs() > 0.02)
@@ -294,7 +294,7 @@ impl SceneFile {
                 }
             };
             found.extend(not_gaussian(statistics).map(|(field, value, usual)| {
-                Finding::warning("not-gaussian", field, value).usual(usual).advice(advice)
+                Finding::warning(Code::NotGaussian, field, value).usual(usual).advice(advice)
             }));
         }
         found.extend(statistics.unusual_slope(*pixel_size));
@@ -305,7 +305,7 @@ impl SceneFile {
     /// A warning if contacts are smaller than a pixel of the scan.
     fn below_a_pixel(&self, check: &Check, pixel: f64) -> Option<Finding> {
         let radius = check.number("contact_radius")?;
-        let found = Finding::warning("below-a-pixel", "contact_radius", radius)
+        let found = Finding::warning(Code::BelowAPixel, "contact_radius", radius)
             .usual([pixel, f64::INFINITY])
             .fact(format!(
                 "contact_radius is {radius:.3e} m, less than a pixel of the scan ({pixel:.3e} m)"

@@ -3,7 +3,7 @@
 
 use std::f64::consts::FRAC_2_PI;
 
-use asperity::{ContactError, Finding, ProfileMoments, nearest_name, positive, short};
+use asperity::{Code, ContactError, Finding, ProfileMoments, nearest_name, positive, short};
 
 use crate::document::Document;
 use crate::error::SceneError;
@@ -313,7 +313,7 @@ impl Drawing {
         let Parts { ra, height, across, .. } = self.parts()?;
         let mut found = vec![];
         let mut warn = |key: &'static str, value: f64, fact: String, advice: &str| {
-            let warning = Finding::warning("roughness-numbers", key, value);
+            let warning = Finding::warning(Code::RoughnessNumbers, key, value);
             found.push(warning.fact(fact).advice(advice.to_string()).from_origin(place(key)));
         };
         // Where Rq is not given, some value of its range is to go with Rz.

@@ -1,6 +1,6 @@
 //! A scan as a map of heights, and the waves in it.
 
-use asperity::Finding;
+use asperity::{Code, Finding};
 use asperity_bem::{BemError, HeightMap};
 use asperity_topography::Topography;
 
@@ -26,7 +26,7 @@ pub fn open_seam(scan: &Topography) -> Option<Finding> {
     let fact = format!(
         "the edges of the scan do not match (step {step:.1} times that between neighbours)"
     );
-    let found = Finding::warning("open-seam", "seam_step", step).fact(fact);
+    let found = Finding::warning(Code::OpenSeam, "seam_step", step).fact(fact);
     Some(found.advice(
         "slopes, curvatures and boundary elements include this step; remove periodic if it is not real",
     ))

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::{ContactError, Finding, HeightDistribution, TabulatedHeights, WeibullHeights};
+use asperity::{Code, ContactError, Finding, HeightDistribution, TabulatedHeights, WeibullHeights};
 use serde::Deserialize;
 
 use crate::cells::Cells;
@@ -169,7 +169,7 @@ pub(crate) fn compare_std(
     }
     let mut notes = vec![];
     if (ratio - 1.0).abs() > DIFFERENT {
-        let found = Finding::warning("heights-std", "table_height_std", own)
+        let found = Finding::warning(Code::HeightsStd, "table_height_std", own)
             .usual([(1.0 - DIFFERENT) * std, (1.0 + DIFFERENT) * std])
             .unit("m")
             .fact(format!(
@@ -181,7 +181,7 @@ pub(crate) fn compare_std(
         notes.push(found.from_origin(at.to_string()));
     }
     if (integral - 1.0).abs() > 0.01 {
-        let found = Finding::warning("heights-integral", "table_integral", integral)
+        let found = Finding::warning(Code::HeightsIntegral, "table_integral", integral)
             .usual([0.99, 1.01])
             .fact(format!("the integral of the table is {integral:.4e}, not 1"))
             .advice("the table is normalised");

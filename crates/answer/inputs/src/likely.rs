@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use asperity::{Finding, plain_unit as plain, short, vickers_of_rockwell_c};
+use asperity::{Code, Finding, plain_unit as plain, short, vickers_of_rockwell_c};
 
 use crate::keys::Key;
 use crate::scaled::{leading, scale};
@@ -108,15 +108,15 @@ const STEEPEST: f64 = 200.0;
 /// A warning for a gradient, of this name, that is probably in degrees or per cent.
 ///
 /// ```
-/// let found = asperity_inputs::likely_angle("mean_slope", 7.0).unwrap().to_string(); let text =
-/// "mean_slope is 7, steeper than 45 degrees: 7 looks like degrees or per cent; 7 deg is 0.1228, 7
-/// % is 0.07"; assert_eq!(found, text); assert_eq!(asperity_inputs::likely_angle("mean_slope",
-/// 0.07), None);
+/// let found = asperity_inputs::likely_angle("mean_slope", 7.0).unwrap().to_string();
+/// let text = "mean_slope is 7, steeper than 45 degrees: 7 looks like degrees or per cent; 7 deg is 0.1228, 7 % is 0.07";
+/// assert_eq!(found, text);
+/// assert_eq!(asperity_inputs::likely_angle("mean_slope", 0.07), None);
 /// ```
 #[must_use]
 pub fn likely_angle(name: &str, gradient: f64) -> Option<Finding> {
     let (given, hint) = (short(gradient), angle_hint(gradient)?);
-    let found = Finding::warning("likely-unit", name.to_string(), gradient);
+    let found = Finding::warning(Code::LikelyUnit, name.to_string(), gradient);
     let found = found.fact(format!("{name} is {given}, steeper than 45 degrees"));
     Some(found.advice(format!("{given} {hint}")))
 }

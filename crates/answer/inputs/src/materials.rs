@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use asperity::{Body, Finding, nearest_name};
+use asperity::{Body, Code, Finding, nearest_name};
 use serde::Serialize;
 
 use crate::keys::{BODY, Field};
@@ -74,7 +74,7 @@ impl Material {
         let Some(own) = (key.get)(&self.body) else {
             let known: Vec<&str> = with_value().map(|(other, _)| &*other.id).collect();
             let advice = format!("give {name} beside {id}, or use one of {}", known.join(", "));
-            let found = Finding::note("no-conductivity", name, f64::NAN);
+            let found = Finding::note(Code::NoConductivity, name, f64::NAN);
             return Some(found.fact(format!("the material {id} has no {name}")).advice(advice));
         };
         let is_alloy = |other: &Self| self.alloys.iter().any(|begins| other.id.starts_with(begins));
@@ -86,7 +86,7 @@ impl Material {
         let fact = format!(
             "{id} is the pure metal, whose alloys conduct up to {times:.1} times less ({worst})"
         );
-        let found = Finding::note("pure-metal", name, own).fact(fact);
+        let found = Finding::note(Code::PureMetal, name, own).fact(fact);
         Some(found.advice("use the alloy of the body"))
     }
 }

@@ -1,7 +1,7 @@
 //! The models that a scene allows.
 
 use asperity::joints::{Correlated, Correlation};
-use asperity::{Asperities, ContactError, ContactModel, Finding, Model, Quantity, Request};
+use asperity::{Asperities, Code, ContactError, ContactModel, Finding, Model, Quantity, Request};
 use asperity_bem::Bem;
 
 use crate::error::{Place, SceneError};
@@ -103,7 +103,7 @@ impl SceneFile {
             "{pairs} presses two surfaces with these asperities on each other, {one} one such surface on a flat"
         );
         let found =
-            Finding::note("other-joint", "asperity_radius", self.scene.surface.asperity_radius)
+            Finding::note(Code::OtherJoint, "asperity_radius", self.scene.surface.asperity_radius)
                 .fact(fact)
                 .advice("describe the second surface by counterface to compare them on one joint");
         (!self.has_counterface()).then_some(found)

@@ -50,9 +50,9 @@ pub const NO_LOAD: &str = "0 is neither a load (above 0) nor a tension (below 0)
 /// `"36 ksi"`. Rounded once with a decimal unit.
 ///
 /// ```
-/// assert_eq!(asperity_inputs::quantity("2.5 kN", "N").unwrap(), 2500.0); let error =
-/// asperity_inputs::quantity("2.5 mm", "N").unwrap_err(); assert_eq!(error, "\"2.5 mm\" is not a
-/// number in N: write 2kN, for example (units: N, kN, MN, mN, uN)");
+/// assert_eq!(asperity_inputs::quantity("2.5 kN", "N").unwrap(), 2500.0);
+/// let error = asperity_inputs::quantity("2.5 mm", "N").unwrap_err();
+/// assert_eq!(error, "\"2.5 mm\" is not a number in N: write 2kN, for example (units: N, kN, MN, mN, uN)");
 /// ```
 ///
 /// # Errors
@@ -147,8 +147,7 @@ fn in_known_unit(text: &str, key: &str, si: &str) -> Option<(f64, &'static str)>
 /// ```
 /// assert_eq!(asperity_inputs::converted("5 kN/cm2", "", "Pa").as_deref(), Some("50 MPa"));
 /// assert_eq!(asperity_inputs::converted("5 kN/cm2", "", "N"), None);
-/// assert_eq!(asperity_inputs::converted("120 HV", "hardness", "Pa").as_deref(), Some("1.269
-/// GPa"));
+/// assert_eq!(asperity_inputs::converted("120 HV", "hardness", "Pa").as_deref(), Some("1.269 GPa"));
 /// ```
 #[must_use]
 pub fn converted(text: &str, key: &str, si: &str) -> Option<String> {

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use asperity::{Datum, Finding, Findings, TabulatedHeights};
+use asperity::{Code, Datum, Finding, Findings, TabulatedHeights};
 
 use crate::accept;
 use crate::document::{Document, Files, HandedFiles};
@@ -97,8 +97,8 @@ fn spec(
     document.check_sections()?;
     let options = ModelOptions::default().with_keys(document, "options")?;
     let nominal_area = document.needed_number("nominal_area")?;
-    let accept: Vec<String> = document.get("accept")?.unwrap_or_default();
-    accept::check(document, &accept)?;
+    let names: Vec<String> = document.get("accept")?.unwrap_or_default();
+    let accept = accept::codes(document, &names)?;
     let bodies = bodies(document)?;
     let key: HeightsKey = document.get("surface.heights")?.unwrap_or_default();
     let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
@@ -159,7 +159,7 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     let is_map = spec.scan().is_some_and(|scan| height_map(scan).is_ok());
     if let Some(exponent) = spec.options.hurst_exponent.filter(|_| is_map) {
         let at = document.place("options.hurst_exponent");
-        let note = Finding::warning("hurst-exponent", "hurst_exponent", exponent)
+        let note = Finding::warning(Code::HurstExponent, "hurst_exponent", exponent)
             .fact("persson and persson-fudge use a power law instead of the spectrum of the scan")
             .advice("remove hurst_exponent to use the spectrum of the scan");
         found.push(note.from_origin(at.to_string()));

@@ -84,6 +84,8 @@ mod tests {
 
     use asperity::ContactModel;
 
+    use asperity::Code;
+
     use super::*;
     use crate::height_map::open_seam;
 
@@ -130,8 +132,8 @@ mod tests {
     fn a_hurst_exponent_with_a_scan_is_used_and_has_a_warning() {
         let own = scene("file = \"scan.txt\"");
         let given = scene("file = \"scan.txt\"\n[options]\nhurst_exponent = 0.8");
-        assert!(own.warnings.iter().all(|found| found.code != "hurst-exponent"));
-        assert!(given.warnings.iter().any(|found| found.code == "hurst-exponent"));
+        assert!(own.warnings.iter().all(|found| found.code != Code::HurstExponent));
+        assert!(given.warnings.iter().any(|found| found.code == Code::HurstExponent));
         let request =
             asperity::Request::new([asperity::Quantity::Tangent]).at([asperity::At::Pressure(1e8)]);
         let [a, b] = [own, given].map(|file| {
@@ -149,7 +151,7 @@ mod tests {
         assert_eq!(open_seam(&tilted), None);
         assert!(open_seam(&tilted.with_periodic(true)).is_some());
         let file = scene(&format!("file = \"scan.txt\"\nperiodic = true\n{BAND}"));
-        let seam = file.warnings.iter().find(|found| found.code == "open-seam").unwrap();
+        let seam = file.warnings.iter().find(|found| found.code == Code::OpenSeam).unwrap();
         assert_eq!(seam.origin.as_deref(), Some("line 10: surface.periodic"));
         let whole = |k: usize| (TAU * (k % 48) as f64 / 12.0).cos();
         let whole = Topography::new((0..48 * 32).map(whole).collect(), 48, [1e-6; 2]).unwrap();
@@ -205,7 +207,11 @@ mod tests {
         let off = bem.map().heights().iter().zip(whole.heights()).map(|(a, b)| (a - b).abs());
         // A wave of 8 pixels is 0.3 of its height higher than the mean of its neighbours.
         assert!(off.fold(0.0, f64::max) < 0.4 * largest);
-        assert!(filled.warnings.iter().any(|one| one.code == "filled"), "{:?}", filled.warnings);
+        assert!(
+            filled.warnings.iter().any(|one| one.code == Code::Filled),
+            "{:?}",
+            filled.warnings
+        );
         std::fs::write(folder.path().join("few.txt"), lines(81)).unwrap();
         let more = format!("{text}fill_missing = true\n");
         assert!(crate::parse(&more, folder.path()).is_err());

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::Finding;
+use asperity::{Code, Finding};
 use asperity_topography::{
     Estimator, HeightDensity, Statistics, Topography, TopographyError, read, read_bytes,
 };
@@ -28,13 +28,13 @@ pub(crate) enum Asked {
 }
 
 /// Codes of warnings about a scan that describe the sum of two surfaces, not one of them.
-const OF_SUM: [&str; 6] = [
-    "anisotropic",
-    "estimators-disagree",
-    "no-asperities",
-    "no-second-estimator",
-    "outliers",
-    "roughness-parameter",
+const OF_SUM: [Code; 6] = [
+    Code::Anisotropic,
+    Code::EstimatorsDisagree,
+    Code::NoAsperities,
+    Code::NoSecondEstimator,
+    Code::Outliers,
+    Code::RoughnessParameter,
 ];
 
 /// What was written of a scan.

@@ -1,6 +1,6 @@
 //! Scans that are much smaller than the nominal area.
 
-use asperity::{Finding, short};
+use asperity::{Code, Finding, short};
 
 use crate::height_map::size;
 use crate::scene_file::SceneFile;
@@ -21,7 +21,7 @@ impl SceneFile {
         let (few, area) = (long * WAVES > side, self.scene.nominal_area);
         let of_scan = if scan.is_profile() { width * width } else { width * height };
         let ratio = area / of_scan;
-        let found = Finding::note("small-scan", "nominal_area", area)
+        let found = Finding::note(Code::SmallScan, "nominal_area", area)
             .unit("m2")
             .usual([0.0, LARGER * of_scan])
             .fact(format!(
@@ -60,7 +60,7 @@ mod tests {
     /// What is noted about it.
     fn noted(longest: f64, nominal_area: f64) -> Option<Finding> {
         let found = scene(longest, nominal_area).findings();
-        found.into_iter().find(|found| found.code == "small-scan")
+        found.into_iter().find(|found| found.code == Code::SmallScan)
     }
 
     #[test]

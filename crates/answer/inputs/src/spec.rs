@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use asperity::{
-    Body, ContactError, Datum, HeightDistribution, Interface, ProfileMoments, Scene,
+    Body, Code, ContactError, Datum, HeightDistribution, Interface, ProfileMoments, Scene,
     TabulatedHeights,
 };
 use asperity_topography::Topography;
@@ -42,7 +42,7 @@ pub struct SceneSpec {
     /// The variants of the models.
     pub options: ModelOptions,
     /// Codes of accepted warnings and notes, which are not shown.
-    pub accept: Vec<String>,
+    pub accept: Vec<Code>,
 }
 
 /// The two bodies in contact, or what they have together.

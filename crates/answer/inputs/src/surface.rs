@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity::{ContactError, Finding, ProfileMoments, Scene, short};
+use asperity::{Code, ContactError, Finding, ProfileMoments, Scene, short};
 
 use crate::document::Document;
 use crate::error::SceneError;
@@ -210,7 +210,7 @@ pub(crate) fn notes(document: &Document<'_>, spec: &SceneSpec, scene: &Scene) ->
 /// The note on moments that follow from other numbers.
 fn gaussian_moments(section: &'static str, moments: &ProfileMoments) -> Finding {
     let [m0, m2, m4] = [moments.m0, moments.m2, moments.m4].map(short);
-    Finding::note("gaussian-moments", section, f64::NAN)
+    Finding::note(Code::GaussianMoments, section, f64::NAN)
         .fact(format!(
             "m0 = {m0} m^2, m2 = {m2} and m4 = {m4} 1/m^2 are those of an isotropic Gaussian surface with these numbers"
         ))

@@ -1,6 +1,6 @@
 //! Surfaces whose numbers are known within ranges, and the scenes at the ends of these.
 
-use asperity::{At, Check, ContactError, ContactModel, Finding, ProfileMoments, Severity};
+use asperity::{At, Check, Code, ContactError, ContactModel, Finding, ProfileMoments, Severity};
 
 use crate::error::{Place, SceneError};
 use crate::ranges::{Corner, Face, MIDDLE, NAMES, Unknown};
@@ -172,7 +172,7 @@ impl SceneFile {
     #[must_use]
     pub fn smooth_counterface(&self) -> Option<Finding> {
         let is_alone = self.spec.counterface.is_none() && !self.spreads().is_empty();
-        let found = Finding::note("smooth-counterface", "counterface", f64::NAN)
+        let found = Finding::note(Code::SmoothCounterface, "counterface", f64::NAN)
             .fact("the other surface is taken as smooth (by models of pairs as rough as this one)")
             .advice("describe it as counterface if it is rough, too");
         is_alone.then_some(found)

@@ -113,7 +113,8 @@ impl SceneFile {
         surface.extend(offset.map(|offset| ("mean_plane_offset".into(), offset.into())));
         top.insert("surface".into(), surface.into());
         if !spec.accept.is_empty() {
-            top.insert("accept".into(), spec.accept.clone().into());
+            let names: Vec<&str> = spec.accept.iter().map(|code| code.name()).collect();
+            top.insert("accept".into(), names.into());
         }
         if let Some(gas) = spec.gas {
             top.insert("gap".into(), Table::try_from(gas).unwrap_or_default().into());

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Context, Error, Result};
 use asperity::bem::{Bem, BemOptions, Continuation};
-use asperity::{Described, Finding, Findings, Model, Severity, Tolerance};
+use asperity::{Code, Described, Finding, Findings, Model, Severity, Tolerance};
 pub use asperity_answer::ALL_MODELS;
 use asperity_answer::{
     AnswerError, Sheet, Subject, one_model, one_or_usual, scene_findings, use_asperities,
@@ -64,7 +64,7 @@ impl LoadedScene {
 
     /// The scene, whose files no output may overwrite, and which accepts what the command accepts.
     fn kept(mut self) -> Result<Self> {
-        self.file = self.file.accepting(output::accepted()).map_err(Error::msg)?;
+        self.file = self.file.accepting(output::accepted());
         self.file.files().iter().try_for_each(|file| destinations::protect(file))?;
         Ok(self)
     }
@@ -81,9 +81,9 @@ impl LoadedScene {
         match &scan[..] {
             [] | [_] => rest.splice(0..0, scan).for_each(drop),
             several => {
-                let codes: Vec<&str> = several.iter().map(|found| found.code).collect();
+                let codes: Vec<&str> = several.iter().map(|found| found.code.name()).collect();
                 let count = codes.len();
-                let one = Finding::warning("scan-warnings", "warnings", count as f64)
+                let one = Finding::warning(Code::ScanWarnings, "warnings", count as f64)
                     .usual([0.0, 0.0])
                     .from_origin(several[0].origin.clone().unwrap_or_default())
                     .fact(format!("the scan has {count} warnings ({})", codes.join(", ")))

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use asperity::fit::{DataColumn, FitError, MeasuredTable, rank};
-use asperity::{Finding, Severity};
+use asperity::{Code, Finding, Severity};
 use asperity_answer::Watch;
 use asperity_inputs::{Free, SceneError, read_measurements};
 use pyo3::prelude::*;
@@ -49,7 +49,7 @@ pub(crate) fn fit<'py>(
                 return Err(engine.raise(py, reason));
             }
             Err(error @ SceneError::Fit(FitError::NoStart { .. })) if !alone => {
-                let found = Finding::warning("left-out", "model", f64::NAN);
+                let found = Finding::warning(Code::LeftOut, "model", f64::NAN);
                 warn_unless(py, &file.spec.accept, &found.fact(format!("left out: {error}")), 1)?;
             }
             Err(error) => return Err(value_error(error)),

@@ -1,14 +1,15 @@
 //! The answer at a load as the page shows it, and the model to use there.
 
 use asperity::{
-    At, ContactError, CorrectedRow, Scene, Separation, SeparationUnit, Severity, usual_reference,
+    At, Code, ContactError, CorrectedRow, Scene, Separation, SeparationUnit, Severity,
+    usual_reference,
 };
 use asperity_answer::{Cell, Recommend, Sheet, unranked};
 use asperity_inputs::SceneFile;
 use serde_json::{Value, json};
 
 use crate::answer::{Column, Known, Row, Source, quantities};
-use crate::labels::symbols;
+use crate::labels::{symbols, term};
 use crate::message::Solved;
 use crate::refusal::Refusal;
 use crate::shown::{interval, percent, shown};
@@ -40,7 +41,7 @@ pub(crate) fn answering(file: &SceneFile, at: At) -> &'static str {
     }
     let fits = |id: &&str| {
         let found = file.model(id).map(|model| file.findings_at(&model, &[at]));
-        found.is_ok_and(|found| found.iter().all(|one| one.code != "tabor"))
+        found.is_ok_and(|found| found.iter().all(|one| one.code != Code::Tabor))
     };
     ["dmt", "jkr"].into_iter().find(fits).unwrap_or("jkr")
 }
@@ -60,7 +61,7 @@ impl Best {
         let spreads = file.spreads();
         match corrected {
             _ if !spreads.is_empty() => {
-                let spread = |(name, ratio)| format!("{name} within {ratio:.1}");
+                let spread = |(name, ratio)| format!("{} within {ratio:.1}", term(name));
                 let spreads = spreads.into_iter().map(spread).collect::<Vec<_>>().join(", ");
                 best.basis = symbols(&format!(
                     "Ranges by {}, of a surface with {spreads}; Rdq, or Rz with RSm, or a scan narrows them.",
@@ -74,7 +75,7 @@ impl Best {
             }
         }
         let Some(solved) = solved else { return best };
-        let codes = solved.notes.iter().map(String::as_str).collect();
+        let codes = solved.notes.iter().filter_map(|name| Code::named(name).ok()).collect();
         best.basis = match unranked(&[codes]) {
             None => "Boundary elements on this scan at this load.".into(),
             Some([why, _]) if best.source == Source::Model => {

@@ -1,7 +1,9 @@
 //! Values of models at loads, as `asperity curve` prints them.
 
 use asperity::recommended::JKR;
-use asperity::{At, Described, Finding, Findings, Quantity, Request, Severity, shortest_digits};
+use asperity::{
+    At, Code, Described, Finding, Findings, Quantity, Request, Severity, shortest_digits,
+};
 use asperity_answer::{ADHESIVE, Asked, ENDS, Line, NO_RANGE, OPENING, column_of_end};
 use asperity_inputs::{Field, INTERFACE, SceneFile};
 use serde::Serialize;
@@ -217,20 +219,20 @@ impl Row {
         let [mut found, _] = own.findings(file, &[at]);
         // Values may be impossible because of an implausible input.
         let is_impossible = |one: &&Finding| match one.code {
-            "beyond-full-contact" => true,
-            "crowded" => one.value > 1.0,
+            Code::BeyondFullContact => true,
+            Code::Crowded => one.value > 1.0,
             _ => false,
         };
         let mark = found.iter().find(is_impossible).filter(|_| !file.findings().are_implausible());
         row.mark = mark.map(|found| message(found, false));
-        row.yields = found.iter().find(|one| one.code == "yields").map(|one| one.severity);
+        row.yields = found.iter().find(|one| one.code == Code::Yields).map(|one| one.severity);
         let is_outside = |one: &&Finding| {
-            one.is_of_model() && one.code != "yields" && one.severity != Severity::Note
+            one.code.is_of_model() && one.code != Code::Yields && one.severity != Severity::Note
         };
         row.outside = found.iter().find(is_outside).map(|one| message(one, false));
         // Findings of the load name an area above the nominal one already.
         let is_new =
-            |one: &Finding| one.severity < Severity::Note && one.code != "area-above-nominal";
+            |one: &Finding| one.severity < Severity::Note && one.code != Code::AreaAboveNominal;
         found.extend(warnings.into_iter().filter(is_new));
         row.findings = found;
         let (model, load) = (own.model(), at.load(&file.scene).unwrap_or_default());

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{ContactError, Corrected, Finding};
+use asperity::{Code, ContactError, Corrected, Finding};
 use asperity_answer::Asked;
 use asperity_inputs::{HandedFiles, SceneFile};
 use asperity_topography::Topography;
@@ -229,7 +229,7 @@ impl Desk {
         let of_scene = scene.warnings.iter().cloned().chain(scene.findings());
         let of_models = rows.iter().flat_map(|row| row.findings.iter().cloned());
         // The table of values marks it at each model.
-        let unmarked = |found: &Finding| found.code != "beyond-full-contact";
+        let unmarked = |found: &Finding| found.code != Code::BeyondFullContact;
         let findings = scene.accepted(of_scene.chain(of_models).filter(unmarked).collect());
         Ok(json!({
             "load": load,

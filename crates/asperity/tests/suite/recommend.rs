@@ -1,8 +1,8 @@
 //! Recommendations of models, with their evidence.
 
 use asperity::{
-    At, Compared, ContactError, Described, Interface, Model, Quantity, Recommendation, Request,
-    Scene, Surface, linspace, recommend, recommend_among,
+    At, Code, Compared, ContactError, Described, Interface, Model, Quantity, Recommendation,
+    Request, Scene, Surface, linspace, recommend, recommend_among,
 };
 
 fn advice(plasticity_index: f64, within: f64) -> Recommendation {
@@ -50,7 +50,7 @@ fn no_model_is_the_simplest_where_it_does_not_hold() {
     let advice = ask("ke", &["gw", "ke", "zmc"]);
     let gw = &advice.comparisons[0];
     assert!(gw.model.id() == "gw" && gw.largest() < 0.3, "{advice}");
-    assert_eq!(gw.outside.as_ref().map(|finding| finding.code), Some("yields"));
+    assert_eq!(gw.outside.as_ref().map(|finding| finding.code), Some(Code::Yields));
     assert_eq!(advice.simplest.as_ref().map(|m| m.id()), Some("zmc"), "{advice}");
     let valid = ask("ke", &["gw", "zmc"]);
     assert_eq!(ask("ke", &["gw"]).simplest.map(|m| m.id().to_string()).as_deref(), Some("ke"));

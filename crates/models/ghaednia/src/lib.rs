@@ -202,7 +202,10 @@ mod tests {
         for tangent in [0.0, 1e8, 2e9, 5e10] {
             let asperity = asperity(200e9, 0.3, tangent, 400e6, 1e-3);
             let found = testkit::check(&Ghaednia, &asperity).unwrap();
-            assert!(found.iter().all(|finding| finding.code == "not-monotone"), "{found:?}");
+            assert!(
+                found.iter().all(|finding| finding.code == asperity_core::Code::NotMonotone),
+                "{found:?}"
+            );
         }
     }
 

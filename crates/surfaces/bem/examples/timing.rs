@@ -2,8 +2,7 @@
 //! each gap along x and y: medians of some runs.
 //!
 //! ```sh
-//! cargo run --release -p asperity-bem --example timing -- heights.npy 1e-3 1e-2 [hardness=0.5]
-//! [free] [runs=7]
+//! cargo run --release -p asperity-bem --example timing -- heights.npy 1e-3 1e-2 [hardness=0.5] [free] [runs=7]
 //! ```
 //!
 //! Heights, 64-bit numbers by rows, in units of the side of the square, or a number of pixels per

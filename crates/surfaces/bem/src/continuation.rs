@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use asperity_core::Finding;
+use asperity_core::{Code, Finding};
 use serde::{Deserialize, Serialize};
 
 use crate::seam::{LARGEST_KINK, LARGEST_STEP};
@@ -95,7 +95,7 @@ impl fmt::Display for Continuation {
 /// A note that the periodic component is used by default; `step` is the
 /// [step at the edges](HeightMap::seam_step).
 fn taken_part(step: f64) -> Finding {
-    Finding::note("periodic-part", "seam_step", step)
+    Finding::note(Code::PeriodicPart, "seam_step", step)
         .usual([0.0, LARGEST_STEP])
         .fact(format!(
             "the edges of the scan do not match (step {step:.1} times that between neighbours)"
@@ -108,7 +108,7 @@ fn taken_part(step: f64) -> Finding {
 /// A note that a map is taken as one body by default, because its slopes change at the edges by
 /// this [kink](HeightMap::seam_kink).
 fn single_body(kink: f64) -> Finding {
-    Finding::note("single-body", "seam_kink", kink)
+    Finding::note(Code::SingleBody, "seam_kink", kink)
         .usual([0.0, LARGEST_KINK])
         .fact(format!(
             "the edges of the scan match, but its slope changes there {kink:.0} times as much as inside"

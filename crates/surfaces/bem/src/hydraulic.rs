@@ -7,7 +7,7 @@
 //! A flow per width q = h³ Δp/(12 μ L) defines the hydraulic gap h. Beside it, the effective medium
 //! of Bruggeman depends on the distribution of the gap alone: the mean of (g³ - K)/(g³ + K) is 0.
 
-use asperity_core::Finding;
+use asperity_core::{Code, Finding};
 use asperity_quadrature::bracketed_root;
 
 use crate::height_map::positive;
@@ -43,11 +43,11 @@ impl Leak {
     /// Warnings of a viscosity that no usual fluid has, most often one in mm²/s, and of a fall of
     /// the pressure that is most often one in bar.
     pub fn findings(&self) -> impl Iterator<Item = Finding> + use<> {
-        let viscosity = Finding::warning("likely-unit", "viscosity", self.viscosity)
+        let viscosity = Finding::warning(Code::LikelyUnit, "viscosity", self.viscosity)
             .unit("Pa s")
             .usual(USUAL)
             .advice("oil of 46 mm2/s (ISO VG 46) has about 0.04 Pa s, water 0.001 and air 2e-5");
-        let drop = Finding::warning("likely-unit", "pressure_drop", self.pressure_drop)
+        let drop = Finding::warning(Code::LikelyUnit, "pressure_drop", self.pressure_drop)
             .unit("Pa")
             .usual(USUAL_DROP)
             .advice("1 bar is 1e5 Pa and 1 MPa 1e6 Pa; write the unit with the number");

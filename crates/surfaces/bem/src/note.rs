@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use asperity_core::{At, Finding, short};
+use asperity_core::{At, Code, Finding, Severity, short};
 
 use crate::half_space::HalfSpace;
 use crate::seam::LARGEST_STEP;
@@ -24,12 +24,15 @@ const SHORT_SHARE: f64 = 0.01;
 const CLASSES: usize = 1024;
 
 /// Findings of a contact at this place: few of the pixels touch, whose area is coarse, or they make
-/// few patches, so that one map does not represent its surface.
+/// few patches, so that one map does not represent its surface. A single patch on a free half-space
+/// is that of a single body, such as a ball.
 pub(crate) fn of_contact(
     at: At,
     [touching, pixels]: [usize; 2],
     patches: usize,
+    boundary: Boundary,
 ) -> impl Iterator<Item = Finding> {
+    let is_body = patches == 1 && boundary == Boundary::Free;
     let few = |code, field, found: usize, (one, many): (&str, &str), least: usize, advice| {
         let names = if found == 1 { one } else { many };
         let few = Finding::warning(code, field, found as f64)
@@ -41,15 +44,20 @@ pub(crate) fn of_contact(
     };
     let names = ("pixel is", "pixels are");
     let advice = "to resolve the area; refine the grid or raise the load";
-    let few_pixels = few("few-pixels", "pixels", touching, names, LEAST_PIXELS, advice);
+    let few_pixels = few(Code::FewPixels, "pixels", touching, names, LEAST_PIXELS, advice);
     let names = ("patch is", "patches are");
     let advice = match touching as f64 > MERGED * pixels as f64 {
+        _ if is_body => "of a rough surface; a single body has one",
         true => {
             "for one map to represent its surface, and patches have merged; average several maps or use a larger one"
         }
         false => "for one map to represent its surface; average several maps or raise the load",
     };
-    let few_patches = few("few-patches", "patches", patches, names, LEAST_PATCHES, advice);
+    let few_patches = few(Code::FewPatches, "patches", patches, names, LEAST_PATCHES, advice);
+    let few_patches = few_patches.map(|found| match is_body {
+        true => found.severity(Severity::Note),
+        false => found,
+    });
     few_pixels.into_iter().chain(few_patches)
 }
 
@@ -64,7 +72,7 @@ pub(crate) fn of_map(
     let fades = open || boundary == Some(Boundary::Free);
     let pixels = shortest_wavelength(map, fades, space).filter(|p| *p < LEAST_WAVELENGTH);
     let short = pixels.map(|pixels| {
-        Finding::warning("short-waves", "shortest_wavelength", pixels)
+        Finding::warning(Code::ShortWaves, "shortest_wavelength", pixels)
             .usual([LEAST_WAVELENGTH, f64::INFINITY])
             .fact(format!("the shortest waves are {} pixels long", below(pixels, LEAST_WAVELENGTH)))
             .advice(format!(
@@ -73,7 +81,7 @@ pub(crate) fn of_map(
             ))
     });
     let step = map.seam_step();
-    let seam = Finding::warning("open-seam", "seam_step", step)
+    let seam = Finding::warning(Code::OpenSeam, "seam_step", step)
         .usual([0.0, LARGEST_STEP])
         .fact(format!(
             "the edges of the map do not match (step {step:.1} times that between neighbours)"

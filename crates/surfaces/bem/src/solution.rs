@@ -123,7 +123,7 @@ impl Solution {
         };
         // At least F/H to the last digit of the given load.
         let (counted, least) = (corrected_area(count, edges) / pixels, carried / cap);
-        notes.extend(note::of_contact(at, [count, pressures.len()], patches.len()));
+        notes.extend(note::of_contact(at, [count, pressures.len()], patches.len(), boundary));
         let open = gaps.iter().zip(&touching).filter(|(_, touches)| !**touches);
         let open = open.map(|(gap, _)| gap).sum::<f64>() / (pixels - count as f64);
         Self {

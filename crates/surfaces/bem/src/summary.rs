@@ -1,6 +1,8 @@
 //! The quantities of a solved contact, by the names that all models share.
 
-use asperity_core::{ATOMIC_DISTANCE, At, ContactError, Evaluation, Finding, Quantity, Scene};
+use asperity_core::{
+    ATOMIC_DISTANCE, At, Code, ContactError, Evaluation, Finding, Quantity, Scene,
+};
 
 use crate::error::refused;
 use crate::hydraulic::GapMap;
@@ -128,7 +130,7 @@ impl ContactSummary {
         let gaps = gaps.chain([("mean-gap".into(), self.mean_gap)]);
         let small = gaps.filter(|(_, gap)| *gap > 0.0 && *gap < ATOMIC_DISTANCE);
         let (name, gap) = small.min_by(|(_, one), (_, other)| one.total_cmp(other))?;
-        let found = Finding::note("atomic", name, gap).usual([ATOMIC_DISTANCE, f64::INFINITY]);
+        let found = Finding::note(Code::Atomic, name, gap).usual([ATOMIC_DISTANCE, f64::INFINITY]);
         let advice = "a gap below the distance of two atoms (0.3 nm) is closed to any fluid";
         Some(found.unit("m").at(At::Pressure(self.mean_pressure)).advice(advice))
     }
@@ -184,7 +186,7 @@ mod tests {
             ..ContactSummary::open(gaps[2])
         };
         let note = contact([1.6e-10, 4e-10, 2e-10]).finding().unwrap();
-        assert_eq!((note.code, &*note.field), ("atomic", "hydraulic-gap-x"));
+        assert_eq!((note.code, &*note.field), (Code::Atomic, "hydraulic-gap-x"));
         assert!((note.value / 1.6e-10 - 1.0).abs() < 1e-15);
         // A hardness leaves mean gaps below 0, and a sealed gap is 0.
         assert_eq!(contact([0.0, 4e-10, -2e-10]).finding(), None);

@@ -47,8 +47,7 @@ impl Topography {
     /// Power spectra of the heights about their mean, which should be [levelled](Self::level).
     ///
     /// ```text
-    /// C(q) = |Σ w h exp(-i q·x)|² Δx Δy/(n m ⟨w²⟩)         along rows |Σ w h exp(-i q x)|² Δx/(n
-    /// ⟨w²⟩)
+    /// C(q) = |Σ w h exp(-i q·x)|² Δx Δy/(n m ⟨w²⟩)         along rows |Σ w h exp(-i q x)|² Δx/(n ⟨w²⟩)
     /// ```
     ///
     /// w is Hann's window, along rows and along columns; 1 for a periodic surface. The definitions

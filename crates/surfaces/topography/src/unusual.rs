@@ -1,6 +1,6 @@
 //! Unusual statistics of a scan, most often of a wrong unit.
 
-use asperity_core::Finding;
+use asperity_core::{Code, Finding};
 
 use crate::Statistics;
 
@@ -16,7 +16,7 @@ impl Statistics {
     #[must_use]
     pub fn unusual_slope(&self, pixel_size: f64) -> Option<Finding> {
         let slope = (2.0 * self.m2).sqrt();
-        let found = Finding::warning("unusual-size", "measured_slope", slope)
+        let found = Finding::warning(Code::UnusualSize, "measured_slope", slope)
             .implausible(slope > SLOPE[1])
             .usual(SLOPE)
             .advice(format!("check unit and pixel_size ({pixel_size:e} m)"));
@@ -27,7 +27,7 @@ impl Statistics {
     /// unit.
     #[must_use]
     pub fn unusual_height(&self) -> Option<Finding> {
-        let found = Finding::warning("unusual-size", "sq", self.sq).unit("m").usual(SQ);
+        let found = Finding::warning(Code::UnusualSize, "sq", self.sq).unit("m").usual(SQ);
         let found = found.advice("check unit, in which heights and pixel_size are read");
         (!(SQ[0]..=SQ[1]).contains(&self.sq)).then_some(found)
     }
@@ -36,7 +36,7 @@ impl Statistics {
     /// single points.
     #[must_use]
     pub fn unusual_kurtosis(&self) -> Option<Finding> {
-        let found = Finding::warning("not-gaussian", "sku", self.sku).usual([0.0, FAT]);
+        let found = Finding::warning(Code::NotGaussian, "sku", self.sku).usual([0.0, FAT]);
         let found = found.advice(
             "a few points far from the others dominate sq and sku, in groups that despike leaves as features; mark them as missing in the file",
         );

@@ -1,6 +1,6 @@
 //! Warnings about scans.
 
-use asperity_core::{Advice, Finding, Surface};
+use asperity_core::{Advice, Code, Finding, Surface};
 
 use crate::outliers::MATTERS;
 use crate::{Level, Moments, Outliers, Texture, TopographyError};
@@ -20,7 +20,7 @@ const SMOOTH: &str = "the scan is smoothed, too coarse for the asperities, or of
 pub(crate) fn roughness_parameter(beta: f64) -> Option<Finding> {
     let usual = Surface::USUAL_ROUGHNESS;
     let advice = if beta > usual[1] { ROUGH } else { SMOOTH };
-    let found = Finding::warning("roughness-parameter", "beta", beta)
+    let found = Finding::warning(Code::RoughnessParameter, "beta", beta)
         .usual(usual)
         .fact(format!("beta = eta R Sq is {beta:.4} (usual: {} to {})", usual[0], usual[1]))
         .advice(advice);
@@ -39,7 +39,7 @@ pub(crate) fn estimators_disagree(moments: &Surface, summits: &Surface) -> Optio
     let each = apart.iter().map(|(name, moments, summits)| {
         format!("{name} is {moments:.4e} by the spectral moments and {summits:.4e} by the summits")
     });
-    let found = Finding::warning("estimators-disagree", "estimator_ratio", largest)
+    let found = Finding::warning(Code::EstimatorsDisagree, "estimator_ratio", largest)
         .usual([1.0, APART])
         .fact(each.collect::<Vec<_>>().join(", "))
         .advice(
@@ -50,7 +50,7 @@ pub(crate) fn estimators_disagree(moments: &Surface, summits: &Surface) -> Optio
 
 /// A warning that the other estimator fails.
 pub(crate) fn no_second_estimator(reason: &TopographyError) -> Finding {
-    Finding::warning("no-second-estimator", "estimators", 1.0)
+    Finding::warning(Code::NoSecondEstimator, "estimators", 1.0)
         .usual([2.0, f64::INFINITY])
         .fact("the two estimators cannot be compared")
         .advice(reason.to_string())
@@ -59,14 +59,14 @@ pub(crate) fn no_second_estimator(reason: &TopographyError) -> Finding {
 /// A warning if the pixel size determines the number of summits per area \[1/m²\], of all points
 /// and of every second one.
 pub(crate) fn summits_follow_sampling([fine, coarse]: [f64; 2]) -> Option<Finding> {
-    let found = Finding::warning("summits-follow-sampling", "summit_density", fine);
+    let found = Finding::warning(Code::SummitsFollowSampling, "summit_density", fine);
     follows_sampling(found, "summit density", [fine, coarse], SUMMITS)
 }
 
 /// A warning if the pixel size determines m₄ \[1/m²\] of a profile, of all points and of every
 /// second one.
 pub(crate) fn curvature_follows_sampling([fine, coarse]: [f64; 2]) -> Option<Finding> {
-    let found = Finding::warning("curvature-follows-sampling", "m4", fine);
+    let found = Finding::warning(Code::CurvatureFollowsSampling, "m4", fine);
     follows_sampling(found, "m4", [fine, coarse], CURVATURE)
 }
 
@@ -85,7 +85,7 @@ fn follows_sampling(found: Finding, of: &str, values: [f64; 2], most: f64) -> Op
 /// A warning that missing points were filled.
 pub(crate) fn filled(share: f64) -> Option<Finding> {
     let percent = 100.0 * share;
-    let found = Finding::warning("filled", "filled_share", share)
+    let found = Finding::warning(Code::Filled, "filled_share", share)
         .usual([0.0, 0.0])
         .fact(format!(
             "{percent:.3} % of the points were missing and are filled with harmonic heights"
@@ -104,7 +104,7 @@ pub(crate) fn outliers(found: &Outliers) -> Option<Finding> {
         true => "radius, density and kurtosis describe",
         false => "the kurtosis describes",
     };
-    let warning = Finding::warning("outliers", "outliers", count as f64)
+    let warning = Finding::warning(Code::Outliers, "outliers", count as f64)
         .usual([0.0, 0.0])
         .fact(format!(
             "{count} {points} far outside the neighbouring heights (up to {:.3e} m {side}) and {have} {percent:.1} % of m4 and {of_kurtosis:.1} % of the kurtosis",
@@ -117,7 +117,7 @@ pub(crate) fn outliers(found: &Outliers) -> Option<Finding> {
 
 /// A warning that the estimator finds no asperities.
 pub(crate) fn no_asperities(reason: &str) -> Finding {
-    Finding::warning("no-asperities", "asperities", 0.0)
+    Finding::warning(Code::NoAsperities, "asperities", 0.0)
         .usual([1.0, f64::INFINITY])
         .fact("the surface has no asperities for asperity models")
         .advice(format!("{reason}; boundary elements (bem) need none"))
@@ -127,7 +127,7 @@ pub(crate) fn no_asperities(reason: &str) -> Finding {
 pub(crate) fn anisotropic(moments: &Moments) -> Option<Finding> {
     let Texture { slope_along, slope_across, direction } = moments.texture()?;
     let (ratio, turned) = (slope_across / slope_along, direction.round() + 0.0);
-    let found = Finding::warning("anisotropic", "slope_ratio", ratio)
+    let found = Finding::warning(Code::Anisotropic, "slope_ratio", ratio)
         .usual([1.0, APART])
         .fact(format!(
             "the rms slope is {slope_along:.4e} along the lay, {turned} degrees from the rows, and {slope_across:.4e} across it"
@@ -140,7 +140,7 @@ impl Level {
     /// A warning if removing this form tilts a periodic surface.
     #[must_use]
     pub fn tilts(self, periodic: bool) -> Option<Finding> {
-        let found = Finding::warning("level", "level", f64::NAN)
+        let found = Finding::warning(Code::Level, "level", f64::NAN)
             .fact(format!("level {self} of a periodic surface makes its edges differ"))
             .advice("slopes and curvatures at the edges are wrong; use level mean");
         (periodic && matches!(self, Self::Plane | Self::Quadratic)).then_some(found)

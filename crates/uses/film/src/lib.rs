@@ -3,7 +3,7 @@
 mod factors;
 
 use asperity_core::{
-    Citation, ContactError, Evaluation, Finding, HeightDistribution, Provenance, Quantity,
+    Citation, Code, ContactError, Evaluation, Finding, HeightDistribution, Provenance, Quantity,
 };
 use serde::{Deserialize, Serialize};
 
@@ -93,7 +93,7 @@ pub fn not_gaussian(heights: &HeightDistribution) -> Option<Finding> {
         HeightDistribution::Weibull(heights) => heights.skewness(),
         _ => f64::NAN,
     };
-    let found = Finding::warning("gaussian-factors", "heights", skewness)
+    let found = Finding::warning(Code::GaussianFactors, "heights", skewness)
         .fact(format!(
             "the flow factors are those of Gaussian surfaces, and the heights of this scene are {}",
             heights.name()

@@ -1,7 +1,7 @@
 //! Doubts about a fit, as findings: it did not converge, a parameter is at a bound, the data do not
 //! determine a parameter.
 
-use asperity_core::{ContactError, Finding, Findings, short};
+use asperity_core::{Code, ContactError, Finding, Findings, short};
 
 use crate::solution::Solution;
 
@@ -19,7 +19,7 @@ impl Solution<'_> {
         let mut found = Findings::default();
         if !self.best.converged {
             let text = "the search did not converge: the values are the best that it found";
-            found.push(Finding::warning("not-converged", "", f64::NAN).fact(text));
+            found.push(Finding::warning(Code::NotConverged, "", f64::NAN).fact(text));
         }
         let has_intervals = self.freedom > 0 || self.problem.data.has_std();
         for (place, (parameter, estimate)) in
@@ -31,14 +31,14 @@ impl Solution<'_> {
             let limit = self.limit(place);
             let is_determined = is_fixed && (limit.is_some() || !is_open);
             if let Some(text) = limit {
-                found.push(Finding::warning("limits", name.clone(), estimate.value).fact(text));
+                found.push(Finding::warning(Code::Limits, name.clone(), estimate.value).fact(text));
             }
             if !is_determined {
                 let [from, to] = [short(low), parameter.shown(high)];
                 let text = format!(
                     "{name} is not determined: the data fit as well with other values from {from} to {to}"
                 );
-                found.push(Finding::warning("undetermined", name, estimate.value).fact(text));
+                found.push(Finding::warning(Code::Undetermined, name, estimate.value).fact(text));
             }
         }
         found.into_iter().map(|one| one.of_model(self.problem.model.id())).collect()

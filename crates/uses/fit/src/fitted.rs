@@ -48,7 +48,7 @@ impl Fitted {
         if self.parameters.iter().find(is_strength).is_some_and(is_open) {
             return None;
         }
-        self.findings.iter().find(|one| one.is_of_model() && one.severity < Severity::Note)
+        self.findings.iter().find(|one| one.code.is_of_model() && one.severity < Severity::Note)
     }
 }
 

@@ -2,11 +2,10 @@
 //! for comparison with the models.
 //!
 //! ```text
-//! Cooper, Mikic & Yovanovich 1969, plastic    h = 1.25 k (m/σ) (p/H)^0.95            [seen] Mikic
-//! 1974, elastic                         h = 1.55 k (m/σ) (√2 p/(E m))^0.94     [seen; 1.54
-//! elsewhere] gas in the gap                              h = k_g/(Y + M)
-//! [seen] constriction factor                         ψ = (1 - √(A/A_n))^1.5
-//! [recalled]
+//! Cooper, Mikic & Yovanovich 1969, plastic    h = 1.25 k (m/σ) (p/H)^0.95            [seen]
+//! Mikic 1974, elastic                         h = 1.55 k (m/σ) (√2 p/(E m))^0.94     [seen; 1.54 elsewhere]
+//! gas in the gap                              h = k_g/(Y + M)                        [seen]
+//! constriction factor                         ψ = (1 - √(A/A_n))^1.5                 [recalled]
 //! ```
 //! σ and m are combined values: root sum squares of both surfaces' standard deviations of heights
 //! and mean absolute slopes; m = √(2 m₂/π) for Gaussian slopes of profiles. \[derived\]

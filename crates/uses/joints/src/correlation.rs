@@ -1,7 +1,7 @@
 //! Correlations of conductance on scenes, and the contacts that they describe.
 
 use asperity_core::{
-    At, Citation, Contact, ContactEngine, ContactError, ContactModel, Described, Evaluation,
+    At, Citation, Code, Contact, ContactEngine, ContactError, ContactModel, Described, Evaluation,
     Finding, Provenance, Quantity, Request, Scene, Validity, short,
 };
 use serde::{Deserialize, Serialize};
@@ -192,7 +192,8 @@ impl Correlating {
     /// A warning of contacts of another kind, and of the first place outside the range.
     fn warnings(&self, places: &[At]) -> impl Iterator<Item = Finding> {
         let of = self.model.correlation;
-        let found = |field, value| Finding::warning("correlation", field, value).of_model(of.id());
+        let found =
+            |field, value| Finding::warning(Code::Correlation, field, value).of_model(of.id());
         let foreign = of.foreign(&self.scene).map(|index| {
             let kind = of.other_contacts();
             let fact = format!("plasticity_index is {}: the contacts are {kind}", short(index));

@@ -1,6 +1,6 @@
 //! Energy created by a pair of loading and unloading laws.
 
-use asperity_core::{At, ContactError, Finding, QuadratureError};
+use asperity_core::{At, Code, ContactError, Finding, QuadratureError};
 use asperity_quadrature::{fallible, gauss_kronrod};
 
 use crate::asperity_laws::{AsperityLaws, MAX_SAMPLES, UnloadingQuantity};
@@ -36,9 +36,6 @@ pub struct EnergyGain {
 }
 
 impl EnergyGain {
-    /// The code of the finding.
-    pub const CODE: &str = "energy-gain";
-
     /// The finding as a warning.
     #[must_use]
     pub fn finding(&self) -> Finding {
@@ -52,7 +49,7 @@ impl EnergyGain {
                 "by {law}, the loss is too small by {percent:.1} % of the work of closing, because asperities recover by more than their interference"
             ),
         };
-        Finding::warning(Self::CODE, "energy_gain", *amount)
+        Finding::warning(Code::EnergyGain, "energy_gain", *amount)
             .usual([0.0, 0.0])
             .of_model(model.as_str())
             .of_law(law.to_string())

@@ -57,13 +57,15 @@
 //! use asperity_joints::{PartialSlip, Unloading, UnloadingLaw};
 //! use asperity_ke::KogutEtsion;
 //!
-//! let mut interface = Interface::new(116e9, 0.31, 1.12e9); interface.equivalent_shear_modulus =
-//! Some(41e9); let scene = Scene::new(interface, Surface::new(3.6e-4, 1.11e8, 1e-6), 3e-5); let
-//! closest = At::Pressure(5e6); let joint = Unloading::new(&KogutEtsion, &scene, closest,
-//! UnloadingLaw::Hertz, Tolerance::default())?; assert!((joint.force(0.0)?.value() - 150.0).abs() <
-//! 1e-6); let slip = PartialSlip::new(&joint, 0.2)?; let (small, large) =
-//! (slip.force(1e-9)?.value(), slip.force(1e-4)?.value()); assert!(small < large && (large / 30.0 -
-//! 1.0).abs() < 1e-6, "gross slip at μ F: {large}");
+//! let mut interface = Interface::new(116e9, 0.31, 1.12e9);
+//! interface.equivalent_shear_modulus = Some(41e9);
+//! let scene = Scene::new(interface, Surface::new(3.6e-4, 1.11e8, 1e-6), 3e-5);
+//! let closest = At::Pressure(5e6);
+//! let joint = Unloading::new(&KogutEtsion, &scene, closest, UnloadingLaw::Hertz, Tolerance::default())?;
+//! assert!((joint.force(0.0)?.value() - 150.0).abs() < 1e-6);
+//! let slip = PartialSlip::new(&joint, 0.2)?;
+//! let (small, large) = (slip.force(1e-9)?.value(), slip.force(1e-4)?.value());
+//! assert!(small < large && (large / 30.0 - 1.0).abs() < 1e-6, "gross slip at μ F: {large}");
 //! # Ok::<(), asperity_core::ContactError>(())
 //! ```
 

@@ -12,7 +12,7 @@ mod units;
 
 use std::str::FromStr;
 
-use asperity::{At, Described, Quantity, Separation, SeparationUnit};
+use asperity::{At, Code, Described, Quantity, Separation, SeparationUnit};
 
 use crate::subject::Subject;
 use crate::{AnswerError, Sheet, Watch};
@@ -197,7 +197,7 @@ impl Export<'_> {
             let text = format!(
                 "the interpolation error of the pressure is up to {percent} %; use more nodes, a maximum error or a narrower range"
             );
-            sheet.warn("interpolation-error", text);
+            sheet.warn(Code::InterpolationError, text);
         }
         Ok(Exported { text, errors: Some([pressure_error, tangent_error]) })
     }

@@ -213,13 +213,14 @@ mod tests {
         assert!(soft.models[2].1.get(&Area).is_some_and(|area| *area <= 1.0));
         // Loads that few pixels carry take no part in what is said of all.
         let [mut clear, mut few] = [soft.clone(), soft];
-        (clear.notes, few.notes) = (vec![], vec![Finding::warning("few-pixels", "pixels", 33.0)]);
+        (clear.notes, few.notes) =
+            (vec![], vec![Finding::warning(asperity::Code::FewPixels, "pixels", 33.0)]);
         let both = summary(&[clear.clone(), few.clone()]);
         assert!(both.contains("in contact (1 of 2), "), "{both}");
         assert!(both.contains("persson") && !both.contains("gw"), "{both}");
         assert!(summary(&[clear.clone(), clear.clone()]).starts_with("over these loads, "));
         assert!(summary(&[few]).contains("too few pixels"));
-        let notes = vec![Finding::warning("short-waves", "shortest_wavelength", 3.0)];
+        let notes = vec![Finding::warning(asperity::Code::ShortWaves, "shortest_wavelength", 3.0)];
         let coarse = Truth { notes, ..usual };
         // Half the grid is nearer than the models, or it is not.
         let off = |area: f64| {

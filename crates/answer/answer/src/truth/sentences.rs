@@ -1,22 +1,22 @@
 //! Models beside boundary elements on a scan, in sentences.
 
 use asperity::{
-    At, Compared, ContactError, Described, EvidenceAt, Model, Quantity, Ratio, Request, Scene,
-    SurfaceShape, nearest_in_each, recommend_among, usual_reference,
+    At, Code, Compared, ContactError, Described, EvidenceAt, Model, Quantity, Ratio, Request,
+    Scene, SurfaceShape, nearest_in_each, recommend_among, usual_reference,
 };
 use asperity_inputs::SceneFile;
 
 use super::{ContactState, Truth};
 
 /// Codes of notes on loads that few pixels or patches carry.
-const FEW: [&str; 2] = ["few-pixels", "few-patches"];
+const FEW: [Code; 2] = [Code::FewPixels, Code::FewPatches];
 /// Rounding of ratios that are equal.
 const SAME: f64 = 1e-9;
 /// Code of a note on a grid too coarse for the shortest waves.
-const COARSE: [&str; 1] = ["short-waves"];
+const COARSE: [Code; 1] = [Code::ShortWaves];
 
 impl Truth {
-    fn has_note(&self, codes: &[&str]) -> bool {
+    fn has_note(&self, codes: &[Code]) -> bool {
         self.notes.iter().any(|note| codes.contains(&note.code))
     }
 
@@ -30,8 +30,8 @@ impl Truth {
 /// Why models are not ranked on solutions of a scan whose notes have these codes, a list a load,
 /// and what to do; `None` where they are.
 #[must_use]
-pub fn unranked(codes: &[Vec<&str>]) -> Option<[&'static str; 2]> {
-    let has = |list: &[&str], codes: &Vec<&str>| codes.iter().any(|code| list.contains(code));
+pub fn unranked(codes: &[Vec<Code>]) -> Option<[&'static str; 2]> {
+    let has = |list: &[Code], codes: &Vec<Code>| codes.iter().any(|code| list.contains(code));
     match codes {
         _ if codes.iter().any(|codes| has(&COARSE, codes)) => Some([
             "the grid is too coarse for the shortest waves of the scan",

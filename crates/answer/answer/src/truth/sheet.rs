@@ -3,7 +3,7 @@
 use std::mem::discriminant;
 
 use asperity::bem::{Bem, BemError};
-use asperity::{Compared, ContactError, Described, Finding, Findings, Model, Quantity};
+use asperity::{Code, Compared, ContactError, Described, Finding, Findings, Model, Quantity};
 use asperity_inputs::SceneFile;
 
 use super::{ContactState, Truth, beside_table, compare_with_bem, summary};
@@ -80,7 +80,7 @@ pub fn truth_of(
     let solved = Truths::solve(file, bem, models, pressures, quantities, refine, watch)?;
     let errors = solved.failed.iter().map(|(_, error)| error);
     let errors = errors.filter(|error| !matches!(error, BemError::Cancelled));
-    errors.for_each(|error| sheet.warn("no-value", error.to_string()));
+    errors.for_each(|error| sheet.warn(Code::NoValue, error.to_string()));
     let found = &solved.found;
     if found.is_empty() {
         return match watch.is_stopped() {
@@ -92,8 +92,8 @@ pub fn truth_of(
     // What a model never has is no fault of the scene.
     let never = |(_, why): &(&str, &ContactError)| matches!(why, ContactError::Unsupported { .. });
     let (unsupported, missing): (Vec<_>, Vec<_>) = solved.missing().into_iter().partition(never);
-    by_reason(missing).into_iter().for_each(|text| sheet.warn("no-value", text));
-    by_reason(unsupported).into_iter().for_each(|text| sheet.note("no-value", text));
+    by_reason(missing).into_iter().for_each(|text| sheet.warn(Code::NoValue, text));
+    by_reason(unsupported).into_iter().for_each(|text| sheet.note(Code::NoValue, text));
     sheet.result(summary(found));
     beside_table(file, found).into_iter().for_each(|line| sheet.result(line));
     for mut row in solved.rows(file.scene.nominal_area, quantities) {
@@ -103,7 +103,7 @@ pub fn truth_of(
     let mut states = found.iter().flat_map(|truth| &truth.models).map(|(_, state)| state);
     if !models.is_empty() && states.all(ContactState::is_empty) {
         let text = format!("{name}: no model has a result");
-        sheet.findings.push(Finding::refusal("no-value", "", f64::NAN).fact(text));
+        sheet.findings.push(Finding::refusal(Code::NoValue, "", f64::NAN).fact(text));
     }
     Ok(())
 }

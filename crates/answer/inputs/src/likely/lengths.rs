@@ -1,6 +1,6 @@
 //! Separations that look like another unit.
 
-use asperity::{Finding, SeparationUnit};
+use asperity::{Code, Finding, SeparationUnit};
 
 /// Separations beyond this many σ_z are unlikely.
 const FAR: f64 = 1e3;
@@ -17,9 +17,10 @@ const LONG: f64 = 0.1;
 /// ```
 /// use asperity::SeparationUnit;
 ///
-/// let found = |x| asperity_inputs::mistaken_unit("gap", x, SeparationUnit::Sigma, 1e-6, "write
-/// 2um"); let text = "gap is 2e-6 asperity_height_std (usual: 0.001 to 1000): write 2um";
-/// assert_eq!(found(2e-6).unwrap().to_string(), text); assert_eq!(found(2.0), None);
+/// let found = |x| asperity_inputs::mistaken_unit("gap", x, SeparationUnit::Sigma, 1e-6, "write 2um");
+/// let text = "gap is 2e-6 asperity_height_std (usual: 0.001 to 1000): write 2um";
+/// assert_eq!(found(2e-6).unwrap().to_string(), text);
+/// assert_eq!(found(2.0), None);
 /// ```
 #[must_use]
 pub fn mistaken_unit(
@@ -37,6 +38,6 @@ pub fn mistaken_unit(
     };
     // A gap next to 0 that is none in metres either is meant so, and an infinite one, too.
     let is_odd = size > usual[1] || size < usual[0] && GAPS.contains(&(size / height_std));
-    let found = Finding::warning("likely-unit", name.to_string(), value).usual(usual).unit(si);
+    let found = Finding::warning(Code::LikelyUnit, name.to_string(), value).usual(usual).unit(si);
     (is_odd && size.is_finite()).then(|| found.advice(remedy.to_string()))
 }

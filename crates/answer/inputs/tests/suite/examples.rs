@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use asperity::{At, ContactError, Quantity, Request, Severity};
+use asperity::{At, Code, ContactError, Quantity, Request, Severity};
 use asperity_inputs::{LeftOut, SceneFile, load};
 
 fn example(name: &str) -> SceneFile {
@@ -57,16 +57,16 @@ fn a_load_beyond_full_contact_has_one_warning_and_full_contact_below_the_modulus
     for id in ["gw", "persson", "persson-fudge"] {
         let [light, heavy] =
             [0.99, 1.01].map(|share| found(&steel, id, At::Pressure(share * hardness)));
-        let code = |(code, _): &(&str, f64)| *code == "beyond-full-contact";
+        let code = |(code, _): &(Code, f64)| *code == Code::BeyondFullContact;
         assert!(!light.iter().any(code) && heavy.iter().any(code), "{id}: {light:?} {heavy:?}");
-        assert!(!heavy.iter().any(|(code, _)| *code == "yields"), "{id}: {heavy:?}");
+        assert!(!heavy.iter().any(|(code, _)| *code == Code::Yields), "{id}: {heavy:?}");
     }
     let heavy = found(&steel, "persson-fudge", At::Pressure(1e34));
-    assert_eq!(heavy, [("beyond-full-contact", 1e34)]);
+    assert_eq!(heavy, [(Code::BeyondFullContact, 1e34)]);
     // Pressed flat, the elastomer carries up to its modulus, 2.667 MPa.
     for id in ["persson", "persson-fudge"] {
         assert_eq!(found(&soft, id, At::Pressure(2.6e6)), []);
-        assert_eq!(found(&soft, id, At::Pressure(1e7)), [("beyond-full-contact", 1e7)]);
+        assert_eq!(found(&soft, id, At::Pressure(1e7)), [(Code::BeyondFullContact, 1e7)]);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::{Quantity, Request};
+use asperity::{Code, Quantity, Request};
 use asperity_inputs::{SceneError, SceneFile, load};
 use asperity_topography::{Estimator, Level, ReadOptions, Statistics, read};
 
@@ -151,11 +151,11 @@ fn unusual_scans_have_warnings() {
     assert_eq!(codes("file = \"a.txt\"\nunit = \"nm\"\npixel_size = 1000"), [""; 0]);
     // The pixels are in micrometres, the heights in nanometres.
     let steep = codes("file = \"a.txt\"\nunit = \"nm\"\npixel_size = 1");
-    assert!(steep.contains(&"unusual-size"), "{steep:?}");
+    assert!(steep.contains(&Code::UnusualSize), "{steep:?}");
     let flat = codes("file = \"a.txt\"\nunit = \"nm\"\npixel_size = 1e7");
-    assert!(flat.contains(&"unusual-size"), "{flat:?}");
+    assert!(flat.contains(&Code::UnusualSize), "{flat:?}");
     let pits = codes("file = \"pits.txt\"\nunit = \"nm\"\npixel_size = 1000");
-    assert!(pits.contains(&"not-gaussian"), "{pits:?}");
+    assert!(pits.contains(&Code::NotGaussian), "{pits:?}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use asperity::{
-    At, ContactModel, Datum, Pair, Quantity, Request, Separation, SeparationUnit, Surface,
+    At, Code, ContactModel, Datum, Pair, Quantity, Request, Separation, SeparationUnit, Surface,
 };
 use asperity_inputs::{SceneFile, parse};
 
@@ -69,7 +69,7 @@ fn a_counterface_has_asperities_of_its_own() {
     let models = ["gw", "gw-pairs"].map(|id| file.model(id).unwrap());
     assert!(file.other_joint(models.iter()).is_none());
     let note = scene(MOMENTS).other_joint(models.iter()).unwrap();
-    assert_eq!((note.code, note.field.as_ref()), ("other-joint", "asperity_radius"));
+    assert_eq!((note.code, note.field.as_ref()), (Code::OtherJoint, "asperity_radius"));
     assert!(scene(MOMENTS).other_joint(models[1..].iter()).is_none());
     // The counterface stays where numbers of the first surface change.
     let m0 = file.inputs(["m0"]).unwrap()[0];

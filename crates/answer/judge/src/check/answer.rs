@@ -10,8 +10,8 @@ use super::findings::{
 use super::impossible::beyond_full_contact;
 use super::interferences::Interferences;
 use asperity_core::{
-    At, Contact, ContactError, ContactModel, Datum, Finding, Findings, Quantity, Regime, Request,
-    Scene, Separation, SeparationUnit, Tolerance, Validity, short,
+    At, Code, Contact, ContactError, ContactModel, Datum, Finding, Findings, Quantity, Regime,
+    Request, Scene, Separation, SeparationUnit, Tolerance, Validity, short,
 };
 
 /// Tolerance of the numbers in findings.
@@ -233,7 +233,7 @@ impl Check {
         self.add_number("interference", w, "m", top);
         self.add_number("interference_over_radius", w / r, "", "w/R of it");
         if w > FLATTENED * r {
-            let deep = Finding::warning("deep", "interference_over_radius", w / r)
+            let deep = Finding::warning(Code::Deep, "interference_over_radius", w / r)
                 .usual([0.0, FLATTENED])
                 .of_model(model.id())
                 .at(at)

@@ -1,7 +1,7 @@
 //! Findings about a model's answer at a place.
 
 use crate::recommended::{ADHESIVE, DMT, JKR, WHOLE_SURFACE, YIELDING};
-use asperity_core::{Advice, At, ContactModel, Finding, KnownDefect, Scene, Severity, short};
+use asperity_core::{Advice, At, Code, ContactModel, Finding, KnownDefect, Scene, Severity, short};
 
 /// Area fraction above which asperities interact.
 const CROWDED: f64 = 0.1;
@@ -21,7 +21,7 @@ const HIDDEN: f64 = Scene::HIDES_ADHESION;
 /// A warning about the answer of a model at a place.
 fn warning(
     (model, at): (&dyn ContactModel, At),
-    code: &'static str,
+    code: Code,
     field: &'static str,
     value: f64,
 ) -> Finding {
@@ -32,7 +32,7 @@ fn warning(
 pub(super) fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding> {
     let theta = scene.adhesion_parameter().filter(|theta| *theta < HIDDEN)?;
     let Some([least, most]) = model.validity().tabor else {
-        let found = Finding::warning("sticks", "adhesion_parameter", theta)
+        let found = Finding::warning(Code::Sticks, "adhesion_parameter", theta)
             .usual([HIDDEN, f64::INFINITY])
             .of_model(model.id())
             .advice("this model ignores work_of_adhesion, which matters here")
@@ -41,7 +41,7 @@ pub(super) fn sticks(model: &dyn ContactModel, scene: &Scene) -> Option<Finding>
     };
     let tabor = scene.asperity().ok()?.tabor_parameter()?;
     let other = if tabor > most { JKR } else { DMT };
-    let found = Finding::warning("tabor", "tabor_parameter", tabor)
+    let found = Finding::warning(Code::Tabor, "tabor_parameter", tabor)
         .usual([least, most])
         .of_model(model.id())
         .advice("outside the range of this model")
@@ -74,7 +74,7 @@ pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Fin
         true => (Severity::Warning, ", and its area is right only by chance"),
         false => (Severity::Note, ""),
     };
-    let found = warning((model, at), "yields", "yielding_share", share)
+    let found = warning((model, at), Code::Yields, "yielding_share", share)
         .severity(severity)
         .usual([0.0, YIELDS[0]])
         .fact(format!("{carriers} carry {} % of the force", short(100.0 * share)))
@@ -92,7 +92,7 @@ pub(super) fn missed(
 ) -> Option<Finding> {
     let KnownDefect { from, to, summary } = defect;
     let percent = short(100.0 * share);
-    let found = warning((model, at), "fit-misses", "missed_share", share)
+    let found = warning((model, at), Code::FitMisses, "missed_share", share)
         .usual([0.0, MISSED])
         .fact(format!(
             "asperities with interferences from {from} to {to} w_c carry {percent} % of the force"
@@ -111,7 +111,7 @@ pub(super) fn beyond_fit(
 ) -> Option<Finding> {
     let continued = if plastic { "assumes full plasticity" } else { "is extrapolated" };
     let (name, limit, percent) = (model.id(), short(holds_to), short(100.0 * share));
-    let found = warning((model, at), "beyond-fit", "interference_over_critical", x)
+    let found = warning((model, at), Code::BeyondFit, "interference_over_critical", x)
         .severity(Severity::Note)
         .usual([0.0, holds_to])
         .fact(format!(
@@ -127,7 +127,7 @@ pub(super) fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option
         f if f > 1.0 => (format!("{} times", short(f)), "no contact has so much"),
         f => (format!("{} % of", short(100.0 * f)), "contacts merge"),
     };
-    let found = warning((model, at), "crowded", "area_fraction", fraction)
+    let found = warning((model, at), Code::Crowded, "area_fraction", fraction)
         .usual([0.0, CROWDED])
         .fact(format!("the real area is {area} the nominal area"))
         .advice(format!("{meaning}, and models of independent asperities do not hold"))
@@ -137,7 +137,7 @@ pub(super) fn crowded(model: &dyn ContactModel, at: At, fraction: f64) -> Option
 
 /// A warning for a mean pressure that exceeds any hardness.
 pub(super) fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Option<Finding> {
-    let found = warning((model, at), "above-hardness", "mean_pressure_over_hardness", ratio)
+    let found = warning((model, at), Code::AboveHardness, "mean_pressure_over_hardness", ratio)
         .usual([0.0, PLASTIC])
         .fact(format!("the mean pressure on the real area is {} times the hardness", short(ratio)))
         .advice("the contacts would yield, and the real area is larger")
@@ -146,7 +146,7 @@ pub(super) fn above_hardness(model: &dyn ContactModel, at: At, ratio: f64) -> Op
 }
 
 pub(super) fn few(model: &dyn ContactModel, at: At, contacts: f64) -> Finding {
-    warning((model, at), "few-contacts", "contacts", contacts)
+    warning((model, at), Code::FewContacts, "contacts", contacts)
         .usual([FEW, f64::INFINITY])
         .fact(format!("about {} asperities touch", short(contacts)))
         .advice(format!(

@@ -3,7 +3,7 @@
 
 use super::Check;
 use super::findings::crowded;
-use asperity_core::{At, ContactModel, Finding, Scene, short};
+use asperity_core::{At, Code, ContactModel, Finding, Scene, short};
 
 impl Check {
     /// A warning where the contacts of a model have so much area at a pressure that they merge, or
@@ -47,7 +47,7 @@ pub(super) fn beyond_full_contact(
         short(value),
         short(limit)
     );
-    let found = Finding::warning("beyond-full-contact", "pressure", value)
+    let found = Finding::warning(Code::BeyondFullContact, "pressure", value)
         .usual([0.0, limit])
         .unit("Pa")
         .of_model(model.id())

@@ -19,7 +19,7 @@ pub use self::roughness::plain_findings;
 pub use self::usual::likely_unit;
 use crate::recommended::{DMT, JKR, JKR_SEPARATION};
 use asperity_core::{
-    ATOMIC_DISTANCE, ContactError, Finding, Findings, HeightDistribution, Scene, short,
+    ATOMIC_DISTANCE, Code, ContactError, Finding, Findings, HeightDistribution, Scene, short,
 };
 
 /// A number that follows from a scene.
@@ -44,9 +44,11 @@ pub struct DerivedNumber {
 /// use asperity_core::{Interface, Scene, Surface};
 /// use asperity_judge::Check;
 ///
-/// // The modulus is in GPa. let scene = Scene::new(Interface::new(116.0, 0.31, 1.12e9),
-/// Surface::new(3.6e-4, 1.1e8, 1e-6), 3e-5); let check = Check::of(&scene)?; let finding =
-/// &check.findings[0]; assert!(finding.is_implausible() && finding.field == "equivalent_modulus");
+/// // The modulus is in GPa.
+/// let scene = Scene::new(Interface::new(116.0, 0.31, 1.12e9), Surface::new(3.6e-4, 1.1e8, 1e-6), 3e-5);
+/// let check = Check::of(&scene)?;
+/// let finding = &check.findings[0];
+/// assert!(finding.is_implausible() && finding.field == "equivalent_modulus");
 /// assert!(finding.message().ends_with("116 looks like GPa; 116 GPa is 1.16e11 Pa"));
 /// # Ok::<(), asperity_core::ContactError>(())
 /// ```
@@ -159,7 +161,14 @@ impl Check {
                 check.add_number("critical_interference", w, "m", meaning);
                 let meaning = format!("F_c = (2/3) pi R w_c S H{of_radius}");
                 check.add_number("critical_force", f, "N", meaning);
-                let meaning = format!("psi = sqrt(sigma_z/w_c), by Chang, Etsion & Bogy{whose}");
+                let own = match is_of_pair {
+                    true => {
+                        let own = scene.asperity()?.critical_interference()?;
+                        format!("{whose}, whose w_c is {own:.4e} m")
+                    }
+                    false => String::new(),
+                };
+                let meaning = format!("psi = sqrt(sigma_z/w_c), by Chang, Etsion & Bogy{own}");
                 check.add_number("plasticity_index", scene.plasticity_index()?, "", meaning);
             }
         }
@@ -233,7 +242,7 @@ impl Plausible for Scene {
             && w < ATOMIC_DISTANCE
         {
             let advice = "below the distance of two atoms (0.3 nm) contacts are plastic from the onset of contact";
-            let atomic = Finding::note("atomic", "critical_interference", w);
+            let atomic = Finding::note(Code::Atomic, "critical_interference", w);
             found.push(atomic.usual([ATOMIC_DISTANCE, f64::INFINITY]).unit("m").advice(advice));
         }
         found.extend(which_adhesion(self));
@@ -265,7 +274,7 @@ fn which_adhesion(scene: &Scene) -> Option<Finding> {
         ),
     };
     let found =
-        Finding::note("adhesion", "tabor_parameter", tabor).usual([LEAST_TABOR, MOST_TABOR]);
+        Finding::note(Code::Adhesion, "tabor_parameter", tabor).usual([LEAST_TABOR, MOST_TABOR]);
     let fact = format!("the Tabor parameter is {}", short(tabor));
     Some(found.fact(fact).advice(advice))
 }

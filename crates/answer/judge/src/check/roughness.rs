@@ -2,7 +2,7 @@
 
 use super::Plausible;
 use super::usual::{CHECK_UNIT, Input, SURFACE, implausible, in_other_units, within};
-use asperity_core::{Finding, Findings, Scene, Severity, Surface, short};
+use asperity_core::{Code, Finding, Findings, Scene, Severity, Surface, short};
 
 /// A_n from the tip of an instrument to a large flange.
 const AREA: Input<'static> = Input::new(
@@ -134,7 +134,7 @@ pub(crate) fn of_area(scene: &Scene, of_surface: &Findings) -> Option<Finding> {
             let text =
                 format!("the area holds {} asperities, too few for an average", short(count));
             let mut found = of(severity, usual, text);
-            found.code = "few-asperities";
+            found.code = Code::FewAsperities;
             Some(found)
         }
     }

@@ -2,7 +2,7 @@
 
 use std::iter::once;
 
-use asperity_core::{Finding, short};
+use asperity_core::{Code, Finding, short};
 
 /// A unit that users may give in place of SI: name, and value in SI units.
 pub(super) type Unit = (&'static str, f64);
@@ -82,7 +82,8 @@ impl<'u> Input<'u> {
     /// The finding of a value in this likely unit, if there is one; ten times outside the usual
     /// range the value is implausible.
     pub(super) fn in_unit(&self, value: f64, unit: Option<Unit>) -> Finding {
-        let found = Finding::warning(UNUSUAL, self.field, value).usual(self.usual).unit(self.si);
+        let found =
+            Finding::warning(Code::UnusualSize, self.field, value).usual(self.usual).unit(self.si);
         let found = found.implausible(implausible(value, self.usual)).advice(CHECK_UNIT);
         match unit {
             Some(unit) => {
@@ -118,8 +119,6 @@ pub(super) fn in_other_units(
     });
     found.collect()
 }
-
-pub(super) const UNUSUAL: &str = "unusual-size";
 
 /// Whether a value is in a range, ends included.
 pub(super) fn within(value: f64, [from, to]: [f64; 2]) -> bool {

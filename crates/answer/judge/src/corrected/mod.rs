@@ -17,8 +17,7 @@ use asperity_core::{
 /// give.
 ///
 /// ```
-/// use asperity::{At, Corrected, Interface, Model, ProfileMoments, Quantity, Request, Scene,
-/// Surface};
+/// use asperity::{At, Corrected, Interface, Model, ProfileMoments, Quantity, Request, Scene, Surface};
 ///
 /// let surface = Surface::from_moments(&ProfileMoments { m0: 1.6e-13, m2: 2.5e-3, m4: 3e8 })?;
 /// let scene = Scene::new(Interface::new(115e9, 0.3, 7e9), surface, 1e-4);

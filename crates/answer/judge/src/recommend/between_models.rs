@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 
 use crate::{Check, Weighed};
 use asperity_core::{
-    AsperityModel, At, Contact, ContactError, Evaluation, Finding, Findings, Quantity, Request,
-    Scene, Severity,
+    AsperityModel, At, Code, Contact, ContactError, Evaluation, Finding, Findings, Quantity,
+    Request, Scene, Severity,
 };
 
 /// The values of one quantity.
@@ -52,12 +52,12 @@ impl Judge<'_> {
 
     /// The finding that makes a model invalid.
     pub(super) fn outside<M: Weighed>(&self, model: &M) -> Option<Finding> {
-        self.find(model, |found| found.severity < Severity::Note && found.is_of_model())
+        self.find(model, |found| found.severity < Severity::Note && found.code.is_of_model())
     }
 
     /// The finding that contacts merge, where no model of independent asperities is valid.
     pub(super) fn merging<M: Weighed>(&self, model: &M) -> Option<Finding> {
-        self.find(model, |found| found.code == "crowded")
+        self.find(model, |found| found.code == Code::Crowded)
     }
 }
 

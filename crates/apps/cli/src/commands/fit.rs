@@ -1,5 +1,6 @@
 //! `asperity fit`: numbers of a scene from measurements.
 
+use asperity::Code;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
@@ -110,7 +111,7 @@ impl FitCommand {
                 Ok(found) => fitted.push(found),
                 Err(SceneError::Fit(FitError::Interrupted)) => return Ok((fitted, true)),
                 Err(error @ SceneError::Fit(FitError::NoStart { .. })) if models.len() > 1 => {
-                    output::warn("left-out", format!("left out: {error}"));
+                    output::warn(Code::LeftOut, format!("left out: {error}"));
                 }
                 Err(error) => {
                     let place = match &error {

@@ -1,5 +1,6 @@
 //! `asperity generate`: a random surface with a given spectrum.
 
+use asperity::Code;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
@@ -74,7 +75,7 @@ impl Generate {
         let gradient = (2.0 * surface.moments().m2).sqrt();
         let odd = [
             (
-                "likely-unit",
+                Code::LikelyUnit,
                 dx > WIDEST,
                 format!(
                     "--pixel is {} m; write lengths with their unit, for example 0.25um",
@@ -82,7 +83,7 @@ impl Generate {
                 ),
             ),
             (
-                "unusual-size",
+                Code::UnusualSize,
                 gradient > 1.0,
                 format!(
                     "the rms gradient is {} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short",
@@ -90,7 +91,7 @@ impl Generate {
                 ),
             ),
             (
-                "long-waves",
+                Code::LongWaves,
                 self.long > side,
                 format!(
                     "waves up to --long do not fit on the surface of {} m; those up to its side are made",

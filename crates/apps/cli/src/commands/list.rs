@@ -226,10 +226,12 @@ fn quantities(word: &str) -> Result<Sheet> {
 
 fn findings(word: &str, narrow: bool) -> Result<Sheet> {
     let mut sheet = Sheet::default();
-    let found: Vec<Code> = Code::all().filter(|code| code.name.contains(word.trim())).collect();
-    let near = || nearest_hint(nearest_name(word, Code::all().map(|code| code.name)));
+    let is_like = |code: &&Code| code.name().contains(word.trim());
+    let found: Vec<&Code> = Code::ALL.iter().filter(is_like).collect();
+    let near = || nearest_hint(nearest_name(word, Code::ALL.iter().map(|code| code.name())));
     ensure!(!found.is_empty(), "no finding has the code {word:?}{}", near());
-    for Code { name, meaning, harmless, remedy } in found {
+    for code in found {
+        let (name, [meaning, harmless, remedy]) = (code.name(), code.texts());
         if narrow {
             sheet.under(&[&["code", "meaning"]]);
             for row in [

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
-use asperity::{At, ContactModel, Quantity, Request};
+use asperity::{At, Code, ContactModel, Quantity, Request};
 use asperity_answer::{Blanks, Sheet};
 use asperity_inputs::{MeasuredKeys, SceneFile};
 use asperity_topography::{Statistics, Topography};
@@ -94,7 +94,7 @@ impl Scales {
             }
             table.add(&[], [Some(cutoff)].into_iter().chain(numbers));
         }
-        blanks.texts(cutoffs.len()).for_each(|text| output::warn("no-value", text));
+        blanks.texts(cutoffs.len()).for_each(|text| output::warn(Code::NoValue, text));
         if table.rows.iter().all(|row| row[1..].iter().all(|cell| cell.number().is_none())) {
             bail!("no row has a value");
         }

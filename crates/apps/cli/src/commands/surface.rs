@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow};
-use asperity::Findings;
+use asperity::{Code, Findings};
 use asperity_answer::{Cell, Sheet};
 use asperity_inputs::MeasuredKeys;
 use asperity_plot::draw_surface;
@@ -163,7 +163,7 @@ impl Surface {
         if let Some(path) = &self.scene {
             output::write_text(Some(path), &self.scene_text(path, statistics)?)?;
             let text = "materials and nominal area are examples (steel on steel); replace them";
-            output::note("example-values", format!("{}: {text}", path.display()));
+            output::note(Code::ExampleValues, format!("{}: {text}", path.display()));
         }
         let output = &self.output.output;
         if output.format() == Format::Json {

@@ -18,17 +18,13 @@ pub struct Treatment {
     strict: bool,
     /// Leave out warnings and notes of these codes, as accept does in a scene
     #[arg(long, global = true, display_order = 100)]
-    #[arg(value_name = "CODE", value_delimiter = ',', value_parser = code)]
-    accept: Vec<String>,
+    #[arg(value_name = "CODE", value_delimiter = ',', value_parser = Code::named)]
+    accept: Vec<Code>,
 }
 
 static TREATMENT: OnceLock<Treatment> = OnceLock::new();
 /// Codes of warnings that are not accepted.
-static WARNINGS: Mutex<BTreeSet<&str>> = Mutex::new(BTreeSet::new());
-
-fn code(text: &str) -> Result<String, String> {
-    Code::named(text).map(|code| code.name.into())
-}
+static WARNINGS: Mutex<BTreeSet<Code>> = Mutex::new(BTreeSet::new());
 
 /// Treats messages like this from now on.
 pub fn treat(treatment: Treatment) {
@@ -36,14 +32,14 @@ pub fn treat(treatment: Treatment) {
 }
 
 /// The codes that are accepted beside the scene's.
-pub fn accepted() -> &'static [String] {
+pub fn accepted() -> &'static [Code] {
     TREATMENT.get().map_or(&[], |treatment| &treatment.accept)
 }
 
 /// The reason why a strict run fails although it has an answer.
 pub fn strict_failure() -> Option<String> {
     TREATMENT.get().filter(|treatment| treatment.strict)?;
-    let codes: Vec<&str> = WARNINGS.lock().ok()?.iter().copied().collect();
+    let codes: Vec<&str> = WARNINGS.lock().ok()?.iter().map(|code| code.name()).collect();
     let text = format!("--strict: not all warnings are accepted: {}", codes.join(", "));
     (!codes.is_empty()).then_some(text)
 }
@@ -92,11 +88,11 @@ fn words(advice: Advice) -> String {
 }
 
 /// A note that is a sentence of its own.
-pub fn note(code: &'static str, text: impl Into<String>) {
+pub fn note(code: Code, text: impl Into<String>) {
     show([&Finding::note(code, "", f64::NAN).fact(text.into())]);
 }
 
 /// A warning that is a sentence of its own.
-pub fn warn(code: &'static str, text: impl Into<String>) {
+pub fn warn(code: Code, text: impl Into<String>) {
     show([&Finding::warning(code, "", f64::NAN).fact(text.into())]);
 }

@@ -1,8 +1,8 @@
 //! Checks of scenes and answers, plans of requests, and recommendations of models.
 
 use asperity::{
-    At, Check, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Scene,
-    Severity,
+    At, Check, Code, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request,
+    Scene, Severity,
 };
 use asperity_answer::{Beside, Inquiry, Recommend, Sheet, check_sheet};
 use pyo3::prelude::*;
@@ -43,7 +43,7 @@ pub(crate) fn check<'py>(
 fn explain(file: &asperity_inputs::SceneFile, error: &ContactError) -> Option<Check> {
     let mut checked = file.check(None).ok()?;
     checked.findings.iter().find(|found| found.severity < Severity::Note)?;
-    let refusal = Finding::refusal("no-value", "answer", f64::NAN);
+    let refusal = Finding::refusal(Code::NoValue, "answer", f64::NAN);
     checked.extend([refusal.fact("the model has no answer").advice(error.to_string())]);
     Some(checked)
 }

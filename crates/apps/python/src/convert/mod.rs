@@ -3,7 +3,7 @@
 pub(crate) mod axis;
 pub(crate) mod numbers;
 
-use asperity::{Advice, ContactError, Finding, Quantity, Request, Tolerance};
+use asperity::{Advice, Code, ContactError, Finding, Quantity, Request, Tolerance};
 use asperity_quadrature::QuadratureError;
 use pyo3::create_exception;
 use pyo3::exceptions::{PyRuntimeError, PyUserWarning, PyValueError};
@@ -57,7 +57,7 @@ pub(crate) fn warn(py: Python<'_>, found: &Finding, above: usize) -> PyResult<()
 /// Likewise, unless one of these codes accepts it.
 pub(crate) fn warn_unless(
     py: Python<'_>,
-    accept: &[String],
+    accept: &[Code],
     found: &Finding,
     above: usize,
 ) -> PyResult<()> {

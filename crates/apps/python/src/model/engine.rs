@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use asperity::bem::Bem;
-use asperity::{Asperities, Citation, ContactError, Model, Quantity, testkit};
+use asperity::{Asperities, Citation, Code, ContactError, Model, Quantity, testkit};
 use asperity_answer::{AnswerError, Sheet, models};
 use asperity_inputs::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
@@ -277,7 +277,7 @@ pub(crate) fn answered(
     engines: &Engines,
     sheet: &Sheet,
 ) -> PyResult<()> {
-    let lacks = found.is_err() || sheet.findings.iter().any(|one| one.code == "no-value");
+    let lacks = found.is_err() || sheet.findings.iter().any(|one| one.code == Code::NoValue);
     let mut engines = engines.iter().flatten().filter(|_| lacks);
     let raised = engines.find_map(|engine| engine.get().raised()?.take());
     raised.map_or_else(|| found.map_err(|error| without(sheet, error)), Err)

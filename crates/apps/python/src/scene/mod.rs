@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use asperity::{ContactError, HeightDistribution, Quantity};
+use asperity::{Code, ContactError, HeightDistribution, Quantity};
 use asperity_inputs::Bodies;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
@@ -187,7 +187,7 @@ impl SceneFile {
     /// Codes of warnings that are not emitted.
     #[getter]
     fn accept<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
-        PyTuple::new(py, &self.0.spec.accept)
+        PyTuple::new(py, self.0.spec.accept.iter().map(|code| code.name()))
     }
 
     /// A copy with other numbers, by the names of a scene file: that of the file with these numbers
@@ -349,7 +349,8 @@ impl SceneFile {
         read: Result<asperity_inputs::SceneFile, asperity_inputs::SceneError>,
         accept: &[String],
     ) -> PyResult<Self> {
-        let file = read.map_err(value_error)?.accepting(accept).map_err(value_error)?;
+        let codes = accept.iter().map(|name| Code::named(name)).collect::<Result<Vec<_>, _>>();
+        let file = read.map_err(value_error)?.accepting(&codes.map_err(value_error)?);
         file.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
         Ok(Self(Arc::new(file)))
     }

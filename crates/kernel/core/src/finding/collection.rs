@@ -6,31 +6,24 @@ use std::vec;
 
 use serde::Serialize;
 
-use super::{FEW_ASPERITIES, Finding, ROUGHNESS_PARAMETER, Severity};
-
-/// A code, and the codes with the same cause that it replaces.
-const SAME_CAUSE: [(&str, &[&str]); 3] = [
-    ("beyond-full-contact", &["above-hardness", "area-above-nominal", "crowded", "yields"]),
-    ("crowded", &["area-above-nominal"]),
-    (FEW_ASPERITIES, &["few-contacts"]),
-];
+use super::{Code, Finding, Severity};
 
 /// Findings, one for each cause.
 ///
 /// ```
-/// use asperity_core::{At, Finding, Findings, Severity};
+/// use asperity_core::{At, Code, Finding, Findings, Severity};
 ///
 /// let few = |load, contacts| {
-///     let few = Finding::warning("few-contacts", "contacts", contacts);
+///     let few = Finding::warning(Code::FewContacts, "contacts", contacts);
 ///     few.usual([30.0, f64::INFINITY]).at(At::Load(load))
 /// };
 /// let mut all: Findings = [few(2.0, 20.0), few(1.0, 10.0)].into_iter().collect();
-/// all.push(Finding::refusal("no-value", "", f64::NAN).fact("no model has a value"));
+/// all.push(Finding::refusal(Code::NoValue, "", f64::NAN).fact("no model has a value"));
 /// let texts: Vec<_> = all.iter().map(ToString::to_string).collect();
 /// assert_eq!(texts[0], "no model has a value");
 /// assert_eq!(texts[1], "contacts is 10 in 2 rows, worst at a load of 1 N (usual: at least 30)");
 /// // Refusals are not silenced.
-/// assert_eq!(all.clone().silenced(&["few-contacts", "no-value"]).len(), 1);
+/// assert_eq!(all.clone().silenced(&[Code::FewContacts, Code::NoValue]).len(), 1);
 /// assert_eq!(all.at_least(Severity::Refusal).len(), 1);
 /// ```
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
@@ -55,7 +48,7 @@ impl Findings {
 
     /// Without warnings and notes of these codes; refusals stay. Scene files name them in `accept`.
     #[must_use]
-    pub fn silenced(mut self, codes: &[impl AsRef<str>]) -> Self {
+    pub fn silenced(mut self, codes: &[Code]) -> Self {
         self.0.retain(|found| !found.is_accepted(codes));
         self
     }
@@ -98,15 +91,13 @@ impl Findings {
             }
         }
         let follows = |found: &Finding| {
-            let scan = kept.iter().any(|other| other.code == ROUGHNESS_PARAMETER);
             // A note hides no warning.
-            let same = |(code, others): &(&str, &[&str])| {
-                let hides = |o: &Finding| o.code == *code && o.severity <= found.severity;
-                others.contains(&found.code) && kept.iter().any(hides)
-            };
+            let hides = |o: &Finding| o.code.hides(found.code) && o.severity <= found.severity;
             // β of a scan and of the asperities derived from it.
-            scan && found.code != ROUGHNESS_PARAMETER && found.field == "roughness_parameter"
-                || SAME_CAUSE.iter().any(same)
+            let scan = |o: &Finding| {
+                o.code == Code::RoughnessParameter && found.field == "roughness_parameter"
+            };
+            kept.iter().any(|o| hides(o) || scan(o) && found.code != o.code)
         };
         Self(kept.iter().filter(|found| !follows(found)).cloned().collect())
     }
@@ -119,15 +110,10 @@ impl Findings {
 }
 
 impl Finding {
-    /// Whether one of these codes accepts the finding. Who accepts contacts that merge or a load
-    /// beyond full contact accepts more area than there is, too; refusals are not accepted.
+    /// Whether one of these codes accepts the finding; refusals are not accepted.
     #[must_use]
-    pub fn is_accepted(&self, codes: &[impl AsRef<str>]) -> bool {
-        let accepts = |code: &str| {
-            let is_cause = ["crowded", "beyond-full-contact"].contains(&code);
-            code == self.code || is_cause && self.code == "area-above-nominal"
-        };
-        self.severity != Severity::Refusal && codes.iter().any(|code| accepts(code.as_ref()))
+    pub fn is_accepted(&self, codes: &[Code]) -> bool {
+        self.severity != Severity::Refusal && codes.iter().any(|code| code.accepts(self.code))
     }
 
     fn has_cause_of(&self, other: &Self) -> bool {

@@ -13,7 +13,7 @@ impl Serialize for Finding {
     /// models with the same finding), quantity, law, at, count and origin.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("code", self.code)?;
+        map.serialize_entry("code", &self.code)?;
         map.serialize_entry("severity", &self.severity)?;
         map.serialize_entry("field", &self.field)?;
         map.serialize_entry("value", &self.value)?;

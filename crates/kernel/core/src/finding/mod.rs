@@ -47,17 +47,20 @@ impl fmt::Display for Severity {
 /// for the field and for advice that differs from place to place.
 ///
 /// ```
-/// use asperity_core::{At, Finding};
+/// use asperity_core::{At, Code, Finding};
 ///
-/// let found = Finding::warning("few-contacts", "contacts", 12.0) .usual([30.0, f64::INFINITY])
-/// .of_model("ke") .at(At::Load(1.0)) .advice("load more"); assert_eq!(found.to_string(), "ke:
-/// contacts is 12 at a load of 1 N (usual: at least 30): load more");
+/// let found = Finding::warning(Code::FewContacts, "contacts", 12.0)
+///     .usual([30.0, f64::INFINITY])
+///     .of_model("ke")
+///     .at(At::Load(1.0))
+///     .advice("load more");
+/// assert_eq!(found.to_string(), "ke: contacts is 12 at a load of 1 N (usual: at least 30): load more");
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Finding {
-    /// Its kind, in lower case with dashes: `unusual-size`, `crowded`.
-    pub code: &'static str,
+    /// Its kind.
+    pub code: Code,
     /// Its severity.
     pub severity: Severity,
     /// The input or number concerned, by its name in scene files and tables.
@@ -93,23 +96,23 @@ pub struct Finding {
 impl Finding {
     /// The reason why there is no value.
     #[must_use]
-    pub fn refusal(code: &'static str, field: impl Into<Cow<'static, str>>, value: f64) -> Self {
+    pub fn refusal(code: Code, field: impl Into<Cow<'static, str>>, value: f64) -> Self {
         Self::new(Severity::Refusal, code, field.into(), value)
     }
 
     /// A finding that may put values off by more than the models differ.
     #[must_use]
-    pub fn warning(code: &'static str, field: impl Into<Cow<'static, str>>, value: f64) -> Self {
+    pub fn warning(code: Code, field: impl Into<Cow<'static, str>>, value: f64) -> Self {
         Self::new(Severity::Warning, code, field.into(), value)
     }
 
     /// A finding for information.
     #[must_use]
-    pub fn note(code: &'static str, field: impl Into<Cow<'static, str>>, value: f64) -> Self {
+    pub fn note(code: Code, field: impl Into<Cow<'static, str>>, value: f64) -> Self {
         Self::new(Severity::Note, code, field.into(), value)
     }
 
-    fn new(severity: Severity, code: &'static str, field: Cow<'static, str>, value: f64) -> Self {
+    fn new(severity: Severity, code: Code, field: Cow<'static, str>, value: f64) -> Self {
         Self {
             code,
             severity,
@@ -260,31 +263,10 @@ impl Finding {
     /// [models of the whole surface](crate::Validity::asperities) do not use.
     #[must_use]
     pub fn is_of_asperities(&self) -> bool {
-        const CODES: [&str; 7] = [
-            FEW_ASPERITIES,
-            ROUGHNESS_PARAMETER,
-            "anisotropic",
-            "estimators-disagree",
-            "no-asperities",
-            "no-second-estimator",
-            "summits-follow-sampling",
-        ];
         let shape = ["roughness_parameter", "height_std_over_radius"];
-        CODES.contains(&self.code) || shape.contains(&&*self.field)
-    }
-
-    /// Whether the finding is a limit of one model.
-    #[must_use]
-    pub fn is_of_model(&self) -> bool {
-        ["above-hardness", "beyond-full-contact", "fit-misses", "sticks", "tabor", "yields"]
-            .contains(&self.code)
+        self.code.is_of_asperities() || shape.contains(&&*self.field)
     }
 }
-
-/// The code of an area that holds few asperities.
-pub(crate) const FEW_ASPERITIES: &str = "few-asperities";
-/// The code of β of a scan.
-const ROUGHNESS_PARAMETER: &str = "roughness-parameter";
 
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

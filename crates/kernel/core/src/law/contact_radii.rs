@@ -2,11 +2,10 @@
 //!
 //! Exact for upright asperities whose contacts are circles:
 //! ```text
-//! unloading stiffness       2 E S         dF/dw = 2 E a where any elastic unloading begins
-//! [derived] tangential stiffness      8 G S         in stick, 1/G = (2-ν₁)/G₁ + (2-ν₂)/G₂
-//! (Mindlin)    [seen] thermal conductance       2 k S         k = 2k₁k₂/(k₁+k₂), contacts far from
-//! each other    [derived] electrical conductance    2 S/ρ         ρ = (ρ₁+ρ₂)/2
-//! [seen]
+//! unloading stiffness       2 E S         dF/dw = 2 E a where any elastic unloading begins   [derived]
+//! tangential stiffness      8 G S         in stick, 1/G = (2-ν₁)/G₁ + (2-ν₂)/G₂ (Mindlin)    [seen]
+//! thermal conductance       2 k S         k = 2k₁k₂/(k₁+k₂), contacts far from each other    [derived]
+//! electrical conductance    2 S/ρ         ρ = (ρ₁+ρ₂)/2                                      [seen]
 //! ```
 //! For contacts with adhesion (JKR) the first holds for motions so small that the edges of the
 //! contacts stay in place; farther opening has a law of its own (`jkr-separation`).

@@ -4,7 +4,7 @@ use asperity_quadrature::{Sampler, legendre};
 
 use crate::finding::short;
 use crate::{
-    Asperity, ContactError, ContactModel, Finding, Findings, Law, Part, Quantity, Tolerance,
+    Asperity, Code, ContactError, ContactModel, Finding, Findings, Law, Part, Quantity, Tolerance,
     Validity,
 };
 
@@ -38,7 +38,7 @@ pub fn check(
         let wanted = *first.get_or_insert(if adhesive { onset } else { 0.0 });
         if onset.total_cmp(&wanted).is_ne() {
             let advice = "start it at 0 or, with adhesion, where the force starts";
-            let finding = fault("begins", "begins", law.onset, quantity);
+            let finding = fault(Code::LawStart, "begins", law.onset, quantity);
             let fact = format!("the law of {quantity} starts at x = {}", short(law.onset));
             findings.push(finding.fact(fact).advice(advice));
         }
@@ -57,7 +57,7 @@ pub fn check(
     Ok(findings)
 }
 
-fn fault(code: &'static str, field: &'static str, value: f64, quantity: Quantity) -> Finding {
+fn fault(code: Code, field: &'static str, value: f64, quantity: Quantity) -> Finding {
     Finding::warning(code, field, value).of_quantity(quantity)
 }
 
@@ -76,7 +76,7 @@ fn vanishes(quantity: Quantity, law: &Law, findings: &mut Findings) {
     if ratio.is_nan() || ratio.abs() > 1e-6 {
         let fact = format!("the law of {quantity} keeps {} of its value at x = 1", short(ratio));
         let advice = "at x = 0 it must vanish unless the model claims adhesion";
-        let found = fault("not-zero-at-zero", "ratio", ratio, quantity);
+        let found = fault(Code::LawStart, "ratio", ratio, quantity);
         findings.push(found.fact(fact).advice(advice));
     }
 }
@@ -93,7 +93,7 @@ fn bad_values(quantity: Quantity, law: &Law, part: &Part, findings: &mut Finding
                 place(law, at)
             );
             let found =
-                fault("bad-value", "value", value[0], quantity).of_law(part.name.to_string());
+                fault(Code::BadValue, "value", value[0], quantity).of_law(part.name.to_string());
             findings.push(found.fact(fact).advice("parts must be finite and at least 0"));
             return;
         }
@@ -110,7 +110,7 @@ fn validity(validity: Validity, asperity: &Asperity, law: &Law, findings: &mut F
         let found = law.value_unit * shape(law, 1e-7) / hertz;
         if found.is_nan() || (found / claimed - 1.0).abs() > 1e-9 {
             let fact = format!("force tends to {found} times Hertz' law");
-            let off = fault("not-hertz", "hertz_limit", found, Quantity::Force);
+            let off = fault(Code::LawStart, "hertz_limit", found, Quantity::Force);
             findings.push(off.fact(fact).advice(format!("the model claims {claimed}")));
         }
     }
@@ -128,11 +128,10 @@ fn falls(law: &Law, claimed: bool) -> Option<Finding> {
     let mut pairs = points.windows(2).map(|pair| (pair[0], pair[1]));
     let (_, at) = pairs.find(falls).filter(|_| claimed || !law.is_signed())?;
     let found = match claimed {
-        true => Finding::warning("not-monotone", "x", at)
+        true => Finding::warning(Code::NotMonotone, "x", at)
             .advice("the model claims a monotone force; withdraw the claim or correct the law"),
-        false => {
-            Finding::note("not-monotone", "x", at).advice("several separations may carry one load")
-        }
+        false => Finding::note(Code::NotMonotone, "x", at)
+            .advice("several separations may carry one load"),
     };
     let fact = format!("force falls at {} as the interference grows", place(law, at));
     Some(found.of_quantity(Quantity::Force).fact(fact))
@@ -158,7 +157,7 @@ fn undeclared_kinks(quantity: Quantity, law: &Law, part: &Part, findings: &mut F
             let low = ends.0 + (ends.1 - ends.0) * f64::from(k) / pieces;
             let high = ends.0 + (ends.1 - ends.0) * f64::from(k + 1) / pieces;
             if let Some(at) = unresolved(part, (low, high), ends, 0) {
-                let found = Finding::warning("undeclared-kink", "x", at)
+                let found = Finding::warning(Code::UndeclaredKink, "x", at)
                     .of_quantity(quantity)
                     .of_law(part.name.to_string())
                     .fact(format!(

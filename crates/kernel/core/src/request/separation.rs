@@ -40,11 +40,11 @@ pub enum Datum {
 /// ```
 /// use asperity_core::{Datum, Interface, Scene, Separation, SeparationUnit, Surface};
 ///
-/// let scene = Scene::new(Interface::new(116e9, 0.31, 1.12e9), Surface::new(3.6e-4, 1.1e8, 1e-6),
-/// 3e-5); let gap = Separation::metres(2e-6).from_surface_mean(); // The mean of the asperity
-/// heights lies 0.0459/(η R) = 1.16 µm above the mean plane here. let s =
-/// gap.measured_in(SeparationUnit::Sigma, Datum::AsperityMean, &scene)?; assert!((s.value -
-/// 0.8398).abs() < 1e-4);
+/// let scene = Scene::new(Interface::new(116e9, 0.31, 1.12e9), Surface::new(3.6e-4, 1.1e8, 1e-6), 3e-5);
+/// let gap = Separation::metres(2e-6).from_surface_mean();
+/// // The mean of the asperity heights lies 0.0459/(η R) = 1.16 µm above the mean plane here.
+/// let s = gap.measured_in(SeparationUnit::Sigma, Datum::AsperityMean, &scene)?;
+/// assert!((s.value - 0.8398).abs() < 1e-4);
 /// # Ok::<(), asperity_core::ContactError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

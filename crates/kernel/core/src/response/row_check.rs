@@ -1,7 +1,7 @@
 //! Findings of rows, as they are answered.
 
 use crate::finding::short;
-use crate::{At, ContactError, Evaluation, Finding, Quantity, Scene};
+use crate::{At, Code, ContactError, Evaluation, Finding, Quantity, Scene};
 
 /// A condition number beyond this is reported.
 pub(crate) const CANCELLED: f64 = 100.0;
@@ -134,7 +134,7 @@ impl RowCheck {
             1 => ("is", "value is 0"),
             _ => ("are", "values are 0"),
         };
-        let found = Finding::warning("underflow", "ln_value", most.value)
+        let found = Finding::warning(Code::Underflow, "ln_value", most.value)
             .usual([f64::MIN_POSITIVE.ln(), f64::INFINITY])
             .fact(format!("{names} {verb} too small for f64"))
             .advice(format!(
@@ -152,18 +152,18 @@ impl Seen {
             let (name, unit) = (seen.quantity, seen.quantity.unit());
             format!("{name} is negative ({:.4e} {unit})", seen.value).replace(" )", ")")
         };
-        let negative = |code, fact: String, advice: &'static str| {
+        let negative = |code: Code, fact: String, advice: &'static str| {
             let found = Finding::warning(code, quantity.to_string(), value).unit(quantity.unit());
             found.of_quantity(quantity).fact(fact).advice(advice)
         };
         match self.oddity {
             Oddity::Negative => negative(
-                "negative",
+                Code::Negative,
                 same.map(one).collect::<Vec<_>>().join(", "),
                 "the negative part of this model's law exceeds the positive part; the value has no physical meaning",
             ),
             Oddity::Adhesion => negative(
-                "adhesion",
+                Code::Adhesion,
                 one(self),
                 match quantity.origin() {
                     Quantity::Force => "the surfaces attract each other there",
@@ -172,17 +172,17 @@ impl Seen {
                     }
                 },
             ),
-            Oddity::AreaAboveNominal => Finding::warning("area-above-nominal", "fraction", value)
+            Oddity::AreaAboveNominal => Finding::warning(Code::AreaAboveNominal, "fraction", value)
                 .usual([0.0, 1.0])
                 .fact(format!("the real area is {} times the nominal area", short(value)))
                 .advice("models of independent asperities do not hold there; use boundary elements or a theory of the whole surface"),
-            Oddity::Cancelled => Finding::warning("cancelled", "condition", value)
+            Oddity::Cancelled => Finding::warning(Code::Cancelled, "condition", value)
                 .usual([0.0, CANCELLED])
                 .of_quantity(quantity)
                 .fact(format!("positive and negative parts of the {quantity} cancel"))
                 .advice(self.accuracy()),
             Oddity::NoContact | Oddity::Underflow => {
-                Finding::warning("no-contact", "contacts", value)
+                Finding::warning(Code::NoContact, "contacts", value)
                     .usual([f64::MIN_POSITIVE, f64::INFINITY])
                     .fact("no asperity touches")
                     .advice("logarithms, shares and mean pressure are undefined there")

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity_core::Finding;
+use asperity_core::{Code, Finding};
 
 use super::scan::{Scan, points, positive, select};
 use crate::error::{damaged, excerpt, refuse};
@@ -125,7 +125,7 @@ impl<'a> Field<'a> {
             let share = masked as f64 / n as f64;
             let text = format!("the mask of the file marks {:.3} % of the points", 100.0 * share);
             let advice = "these points are read as missing; remove the mask to keep them";
-            notes.push(Finding::note("mask", "masked_share", share).fact(text).advice(advice));
+            notes.push(Finding::note(Code::Mask, "masked_share", share).fact(text).advice(advice));
         }
         Ok(Scan { notes, ..Scan::new(heights, columns as usize, unit, pixel_size) })
     }

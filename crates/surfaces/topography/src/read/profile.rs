@@ -1,6 +1,6 @@
 //! Profiles of positions and heights.
 
-use asperity_core::Finding;
+use asperity_core::{Code, Finding};
 
 use super::scan::Scan;
 use crate::error::refuse;
@@ -76,7 +76,7 @@ pub(super) fn profile(
         return Ok(found(heights, vec![]));
     }
     let distances = || pairs().map(|(_, distance)| distance);
-    let note = Finding::warning("resampled", "points", places.len() as f64)
+    let note = Finding::warning(Code::Resampled, "points", places.len() as f64)
         .fact(format!(
             "the positions of the profile are {:.4e} to {:.4e} apart: the heights are interpolated \
              linearly at {} equal distances of {step:.4e}, in the unit of the file",

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use asperity_core::Finding;
+use asperity_core::{Code, Finding};
 
 use crate::error::{at_most, excerpt, out_of_range, refuse, undecided};
 use crate::{Distance, LengthUnit, MAX_POINTS, Topography, TopographyError};
@@ -297,7 +297,7 @@ pub(super) fn select(
     };
     let Some(channel) = channel else {
         let note = |name: &String| {
-            Finding::note("channel", "channel", 1.0)
+            Finding::note(Code::Channel, "channel", 1.0)
                 .fact(format!("the file has {} surfaces; {:?} is read", names.len(), excerpt(name)))
                 .advice(format!("choose another with channel: {}", list()))
         };

@@ -6,7 +6,7 @@
 use std::borrow::Cow;
 use std::io::Read;
 
-use asperity_core::Finding;
+use asperity_core::{Code, Finding};
 use flate2::read::ZlibDecoder;
 
 use super::lines::text;
@@ -147,7 +147,7 @@ impl<'a> Object<'a> {
         }
         let mut notes: Vec<_> = note.into_iter().collect();
         notes.extend((step < 0.0).then(|| {
-            Finding::note("inverted", "inversion", f64::from(inversion))
+            Finding::note(Code::Inverted, "inversion", f64::from(inversion))
                 .fact("the file marks its heights as inverted, and they are turned over")
                 .advice("check the sign of the skewness, because programs differ here")
         }));

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use asperity_core::{ContactModel, Quantity};
+use asperity_core::{Code, ContactModel, Quantity};
 use asperity_fit::{Fit, FitError, Fitted, Parameter};
 use asperity_gw::GreenwoodWilliamson;
 use asperity_ke::KogutEtsion;
@@ -10,7 +10,7 @@ use asperity_ke::KogutEtsion;
 use crate::kit::{LOADS, NAMES, TRUTH, columns, data, parameters, varied};
 
 /// The codes and parameters of the doubts.
-fn doubts(fitted: &Fitted) -> Vec<(&str, &str)> {
+fn doubts(fitted: &Fitted) -> Vec<(Code, &str)> {
     fitted.findings.iter().map(|one| (one.code, &*one.field)).collect()
 }
 
@@ -20,7 +20,7 @@ fn stiffness_against_load_fixes_one_group_of_gw() {
     let scene = varied(&[0, 1]);
     let fit = Fit::new(&data, parameters(&[0, 1], 1.7), &scene).unwrap();
     let fitted = fit.run(&GreenwoodWilliamson).unwrap();
-    assert_eq!(doubts(&fitted), [0, 1].map(|k| ("undetermined", NAMES[k])));
+    assert_eq!(doubts(&fitted), [0, 1].map(|k| (Code::Undetermined, NAMES[k])));
     assert!(fitted.condition.is_none() && fitted.converged, "{fitted:?}");
     assert_eq!(fitted.correlation[0][1], None);
     let [radius, density] = [0, 1].map(|k| fitted.parameters[k].value);
@@ -42,7 +42,7 @@ fn a_number_without_effect_is_named() {
     let scene = varied(&[2, 3]);
     let fit = Fit::new(&data, parameters(&[2, 3], 1.7), &scene).unwrap();
     let fitted = fit.run(&GreenwoodWilliamson).unwrap();
-    assert_eq!(doubts(&fitted), [("undetermined", NAMES[3])]);
+    assert_eq!(doubts(&fitted), [(Code::Undetermined, NAMES[3])]);
     let std = fitted.parameters[0].value;
     assert!((std / TRUTH[2] - 1.0).abs() < 1e-8, "{std}");
 }
@@ -61,7 +61,7 @@ fn a_value_that_is_not_reached_leaves_the_parameter_at_a_bound() {
     for (value, model) in [(0.001, &KogutEtsion as &dyn ContactModel), (0.9, &GreenwoodWilliamson)]
     {
         let found = inverse(value, model, &[2]);
-        assert_eq!(doubts(&found), [("limits", NAMES[2])], "{found:?}");
+        assert_eq!(doubts(&found), [(Code::Limits, NAMES[2])], "{found:?}");
         assert!(found.rms > Some(0.1), "{found:?}");
     }
     // The bound of a free hardness counts.

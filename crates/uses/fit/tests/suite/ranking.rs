@@ -1,6 +1,6 @@
 //! Models on the same data, in their order.
 
-use asperity_core::{ContactModel, Finding, Quantity};
+use asperity_core::{Code, ContactModel, Finding, Quantity};
 use asperity_fit::{Fit, rank};
 use asperity_gw::GreenwoodWilliamson;
 use asperity_jg::JacksonGreen;
@@ -43,8 +43,8 @@ fn a_model_whose_law_does_not_hold_ranks_last() {
     let [gw, mut ke] = [&GreenwoodWilliamson as &dyn ContactModel, &KogutEtsion]
         .map(|model| fit.run(model).unwrap());
     assert!(ke.bic < gw.bic);
-    ke.findings.push(Finding::note("yields", "yielding_share", 0.03));
+    ke.findings.push(Finding::note(Code::Yields, "yielding_share", 0.03));
     assert_eq!(rank(vec![gw.clone(), ke.clone()])[0].model, "ke");
-    ke.findings.push(Finding::warning("fit-misses", "missed_share", 0.9));
+    ke.findings.push(Finding::warning(Code::FitMisses, "missed_share", 0.9));
     assert_eq!(rank(vec![gw, ke])[0].model, "gw");
 }
