@@ -86,7 +86,11 @@ impl Scales {
                     numbers.extend(answers(&file, id, at).with_context(|| scene.name.clone())?);
                 }
                 (Err(reason), ..) => {
-                    blanks.count("value", &reason, format!("{CUTOFF} {cutoff:e}: {reason}"));
+                    blanks.count(
+                        "value",
+                        std::mem::discriminant(&reason),
+                        format!("{CUTOFF} {cutoff:e}: {reason}"),
+                    );
                 }
                 _ => {}
             }
