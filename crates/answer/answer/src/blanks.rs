@@ -4,25 +4,35 @@ use std::mem::{Discriminant, discriminant};
 
 use asperity::ContactError;
 
+/// The kind of an error, up to its numbers: its variant, and the field or property that it is about.
+pub(crate) type Kind = (Discriminant<ContactError>, &'static str);
+
 /// The reasons for blanks in rows of one model: what is blank, the kind of the error, the first
 /// reason of that kind and the number of its rows.
 #[derive(Debug, Clone)]
-pub struct Blanks<E = ContactError>(Vec<(String, Discriminant<E>, String, usize)>);
+pub struct Blanks<K>(Vec<(String, K, String, usize)>);
 
-impl<E> Default for Blanks<E> {
+impl<K> Default for Blanks<K> {
     fn default() -> Self {
         Self(vec![])
     }
 }
 
-impl<E> Blanks<E> {
-    /// Counts a row without this, such as a value at all or one quantity, by an error and its
-    /// reason in words.
-    pub fn count(&mut self, what: &str, error: &E, reason: String) {
-        let kind = discriminant(error);
-        let same = |(known, other, ..): &&mut (String, Discriminant<E>, String, usize)| {
-            *known == what && *other == kind
-        };
+pub(crate) fn kind(error: &ContactError) -> Kind {
+    let about = match error {
+        ContactError::OutOfRange { field, .. } | ContactError::Missing { field, .. } => field,
+        ContactError::NoEvidence { property, .. } => property,
+        _ => "",
+    };
+    (discriminant(error), about)
+}
+
+impl<K: PartialEq> Blanks<K> {
+    /// Counts a row without this, such as a value at all or one quantity, by the kind of the error
+    /// and its reason in words.
+    pub fn count(&mut self, what: &str, kind: K, reason: String) {
+        let same =
+            |(known, other, ..): &&mut (String, K, String, usize)| *known == what && *other == kind;
         match self.0.iter_mut().find(same) {
             Some((.., count)) => *count += 1,
             None => self.0.push((what.into(), kind, reason, 1)),

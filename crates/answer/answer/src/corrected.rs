@@ -4,7 +4,7 @@
 use asperity::{Code, Compared, ContactError, Quantity, Separation, SeparationUnit};
 
 use crate::asked::Asked;
-use crate::blanks::Blanks;
+use crate::blanks::{Blanks, kind};
 use crate::inquiry::{Found, Inquiry};
 use crate::models::reason_alone;
 use crate::subject::measured;
@@ -39,12 +39,12 @@ impl Inquiry<'_> {
                     // Where the model itself has none, it has its reason there.
                     let has_own = sheet.rows[first + k][places - 1].number().is_some();
                     if let Some(reason) = separation.as_ref().err().filter(|_| has_own) {
-                        blanks.count("separation", reason, words(reason));
+                        blanks.count("separation", kind(reason), words(reason));
                     }
                     separation.ok()
                 }
                 Err(reason) => {
-                    blanks.count("value", reason, words(reason));
+                    blanks.count("value", kind(reason), words(reason));
                     None
                 }
             };
@@ -60,7 +60,7 @@ impl Inquiry<'_> {
                     Ok(Err(reason)) => {
                         // What the model itself lacks has its reason there.
                         if sheet.rows[first + k][places + 3 * q].number().is_some() {
-                            blanks.count(&quantity.to_string(), &reason, words(&reason));
+                            blanks.count(&quantity.to_string(), kind(&reason), words(&reason));
                         }
                         [Cell::Blank(Some(reason.into())), Cell::BLANK, Cell::BLANK]
                     }

@@ -5,7 +5,7 @@ use asperity::{At, Code, ContactError, Described, Evaluation, Findings, Model, Q
 use asperity_inputs::SceneFile;
 
 use crate::asked::{Asked, Line};
-use crate::blanks::Blanks;
+use crate::blanks::{Blanks, kind};
 use crate::models::{grouped, once, reason_alone};
 use crate::sheet::warning;
 use crate::{AnswerError, Cell, Sheet, Watch};
@@ -224,7 +224,7 @@ impl<'s> Inquiry<'s> {
                     let opens =
                         |e| matches!(e, &ContactError::OutOfReach { load, .. } if load < 0.0);
                     let opening = if id == JKR && opens(reason) { OPENING } else { "" };
-                    blanks.count(&what, reason, reason_alone(model.id(), reason) + opening);
+                    blanks.count(&what, kind(reason), reason_alone(model.id(), reason) + opening);
                 }
                 deliver(sheet, self.place(id, &line), line);
             }

@@ -1,5 +1,7 @@
 //! Partial slip of a joint: a first shift and a steady cycle, or cycles at several preloads.
 
+use std::mem::discriminant;
+
 use asperity::bem::{Bem, BemError};
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, ContactError, SeparationUnit, linspace, shortest_digits};
@@ -159,7 +161,7 @@ impl Slip<'_> {
                         cycle.map(Some)
                     }
                     Err(error) => {
-                        blanks.count("cycle", &error, error.to_string());
+                        blanks.count("cycle", discriminant(&error), error.to_string());
                         let force = match amplitude {
                             Amplitude::Shift(_) => None,
                             Amplitude::Force(force) => Some(force),

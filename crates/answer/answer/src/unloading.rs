@@ -3,7 +3,7 @@
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
 use asperity::{At, Code, ContactError, Evaluation, Finding, Scene, SeparationUnit, linspace};
 
-use crate::blanks::Blanks;
+use crate::blanks::{Blanks, kind};
 use crate::number::rounded;
 use crate::sheet::{note, warning};
 use crate::subject::{OfLaws, Subject, unit_warning};
@@ -133,7 +133,7 @@ fn add_rows(
     let mut value = |found: Result<Evaluation, ContactError>| match found {
         Ok(found) => Ok(Some(found.value())),
         Err(error @ ContactError::Integral { .. }) => {
-            blanks.count("value", &error, error.to_string());
+            blanks.count("value", kind(&error), error.to_string());
             Ok(None)
         }
         Err(error) => Err(error),

@@ -1,5 +1,7 @@
 //! The opening of a scan along its own path, by boundary elements.
 
+use std::mem::discriminant;
+
 use asperity::bem::BemError;
 use asperity::{At, Separation, SeparationUnit, linspace};
 
@@ -47,13 +49,17 @@ pub fn unloading_scan(
                 Err(BemError::Cancelled) => continue,
                 Err(error) => {
                     let at = rounded(*retreat);
-                    blanks.count("value", &error, format!("at a retreat of {at} m: {error}"));
+                    blanks.count(
+                        "value",
+                        discriminant(&error),
+                        format!("at a retreat of {at} m: {error}"),
+                    );
                     continue;
                 }
             };
             let place = Separation::metres(found.mean_gap).from_surface_mean();
             let stiffness = found.stiffness.transpose().unwrap_or_else(|error| {
-                blanks.count("stiffness", &error, format!("no stiffness: {error}"));
+                blanks.count("stiffness", discriminant(&error), format!("no stiffness: {error}"));
                 None
             });
             let (pressure, area) = (found.mean_pressure, scene.nominal_area);

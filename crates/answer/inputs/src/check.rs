@@ -103,7 +103,7 @@ impl SceneFile {
                 let unit = Key::find("surface", name).map_or("", |key| key.unit);
                 format!("{name} = {} {unit}", short(values[k])).trim_end().to_string()
             }
-            None => format!("{name}"),
+            None => name.to_string(),
         });
         let given: Vec<String> = given.collect();
         let found = plain_findings(&self.scene.surface).into_iter().next()?;

@@ -88,7 +88,11 @@ impl Scales {
                     );
                 }
                 (Err(reason), ..) => {
-                    blanks.count("value", &reason, format!("{CUTOFF} {cutoff:e}: {reason}"));
+                    blanks.count(
+                        "value",
+                        std::mem::discriminant(&reason),
+                        format!("{CUTOFF} {cutoff:e}: {reason}"),
+                    );
                 }
                 _ => {}
             }
