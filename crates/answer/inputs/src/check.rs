@@ -60,7 +60,7 @@ impl SceneFile {
             if let Some(odd) = self.odd_number() {
                 of_interface.retain(|f| !of_asperities(f) && f.code != "few-asperities");
                 of_interface.push(odd.severity(severity).implausible(!plausible));
-            } else if !self.spec.follows_from().is_empty() {
+            } else if !self.spec.follows_from(&self.scene).is_empty() {
                 of_interface.retain(|found| !of_asperities(found));
                 let together = self.unusual_together();
                 of_interface.extend(together.map(|found| found.implausible(!plausible)));
@@ -97,13 +97,10 @@ impl SceneFile {
 
     /// A finding of the numbers that were given for unusual asperities that follow from them.
     fn unusual_together(&self) -> Option<Finding> {
-        let values = self.roughness().map(|roughness| roughness.numbers);
-        let given = (0..).zip(self.spec.follows_from()).map(|(k, name)| match values {
-            Some(values) => {
-                let unit = Key::find("surface", name).map_or("", |key| key.unit);
-                format!("{name} = {} {unit}", short(values[k])).trim_end().to_string()
-            }
-            None => name.to_string(),
+        let given = self.spec.follows_from(&self.scene).into_iter().map(|(name, value)| {
+            let unit = Key::find("surface", name).map_or("", |key| key.unit);
+            let value = value.map_or(String::new(), |value| format!(" = {} {unit}", short(value)));
+            format!("{name}{value}").trim_end().to_string()
         });
         let given: Vec<String> = given.collect();
         let found = plain_findings(&self.scene.surface).into_iter().next()?;

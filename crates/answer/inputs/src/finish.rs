@@ -100,6 +100,16 @@ impl Drawing {
         FINISH.iter().zip(self.numbers).filter_map(|(key, number)| Some((*key, number?)))
     }
 
+    /// The keys of numbers that it has or can have beside the others.
+    pub(crate) fn open_keys(&self) -> Vec<&'static str> {
+        let fits = |key: &&str| {
+            let mut edited = self.clone();
+            edited.set(key, 1.0);
+            *key != "finish" && edited.conflict().is_none()
+        };
+        FINISH.iter().copied().filter(fits).collect()
+    }
+
     pub(crate) fn finish(&self) -> Option<&'static str> {
         self.finish
     }

@@ -161,18 +161,14 @@ impl Roughness {
     pub(crate) fn with(
         &self,
         given: &[(&str, f64)],
-        interface: &Interface,
+        interface: impl FnOnce() -> Result<Interface, ContactError>,
     ) -> Result<Self, ContactError> {
-        let is_own = given.iter().all(|(name, _)| self.way.keys().contains(name));
-        let way = match is_own {
-            true => self.way,
-            false => {
-                let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
-                self.way_with(&names).unwrap_or(self.way)
-            }
-        };
-        let mut edited = self.by(way, interface)?;
-        for (key, number) in way.keys().iter().zip(&mut edited.numbers) {
+        let mut edited = *self;
+        if !given.iter().all(|(name, _)| self.way.keys().contains(name)) {
+            let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
+            edited = self.by(self.way_with(&names).unwrap_or(self.way), &interface()?)?;
+        }
+        for (key, number) in edited.way.keys().iter().zip(&mut edited.numbers) {
             let found = given.iter().find(|(name, _)| name == key);
             *number = found.map_or(*number, |(_, value)| *value);
         }

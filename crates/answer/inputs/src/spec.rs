@@ -254,6 +254,11 @@ impl SceneSpec {
     }
 
     /// The first surface, or the second.
+    pub(crate) fn one(&self, second: bool) -> Option<&SurfaceSpec> {
+        if second { self.counterface.as_ref() } else { Some(&self.surface) }
+    }
+
+    /// The first surface, or the second, to be changed.
     pub(crate) fn surface_mut(&mut self, second: bool) -> Option<&mut SurfaceSpec> {
         if second { self.counterface.as_mut() } else { Some(&mut self.surface) }
     }
@@ -286,15 +291,17 @@ impl SceneSpec {
         }
     }
 
-    /// The keys by which a single surface is described, from which its asperities follow.
-    pub(crate) fn follows_from(&self) -> &'static [&'static str] {
-        match &self.surface.by {
-            _ if self.surfaces().any(|(_, one)| one.drawing().is_some()) => &["ra"],
-            _ if self.surfaces().any(|(_, one)| one.scan().is_some()) => &[],
-            Description::Numbers(_) if self.counterface.is_some() => Way::Moments.keys(),
-            Description::Numbers(one) if one.way == Way::Asperities => &[],
-            Description::Numbers(one) => one.way.keys(),
-            _ => &[],
+    /// The keys from which the asperities follow, if they are not given directly or measured, and
+    /// their numbers where these describe the surface alone.
+    pub(crate) fn follows_from(&self, scene: &Scene) -> Vec<(&'static str, Option<f64>)> {
+        let is_drawn = self.surfaces().any(|(_, one)| one.drawing().is_some());
+        match (self.roughness(scene), self.surface.roughness()) {
+            _ if is_drawn => vec![("ra", None)],
+            (Some(roughness), _) => roughness.by_key().map(|(key, x)| (key, Some(x))).collect(),
+            (None, Some(one)) if one.way == Way::PlasticityIndex => {
+                one.by_key().map(|(key, _)| (key, None)).collect()
+            }
+            _ => vec![],
         }
     }
 }

@@ -5,7 +5,7 @@ use asperity::{
 };
 
 use crate::error::SceneError;
-use crate::finish::FINISH;
+use crate::finish::{Drawing, FINISH};
 use crate::keys::{
     BODIES, BODY, Field, INTERFACE, KEYS, Key, MECHANICAL, OF_PAIR, SECOND, key_of_input,
 };
@@ -122,7 +122,7 @@ impl SceneFile {
     /// The surface by three numbers: as written, or of a single surface with known asperities by
     /// these.
     fn roughness_of(&self, second: bool) -> Option<Roughness> {
-        let one = if second { self.spec.counterface.as_ref()? } else { &self.spec.surface };
+        let one = self.spec.one(second)?;
         let is_alone = !second && (self.spec.counterface.is_none() || self.spec.pressed.is_some());
         let own = || Roughness::asperities(&self.scene.surface);
         one.roughness().or_else(|| (is_alone && self.spreads().is_empty()).then(own))
@@ -130,17 +130,8 @@ impl SceneFile {
 
     /// The keys of numbers by which a surface is described or can be.
     fn keys_of_surface(&self, second: bool) -> Vec<&'static str> {
-        let one = if second { self.spec.counterface.as_ref() } else { Some(&self.spec.surface) };
-        let drawing = one.and_then(SurfaceSpec::drawing);
-        let fits = |key: &&str| {
-            let with = |drawing: &crate::finish::Drawing| {
-                let mut edited = drawing.clone();
-                edited.set(key, 1.0);
-                edited.conflict().is_none()
-            };
-            *key != "finish" && drawing.is_some_and(with)
-        };
-        let mut keys: Vec<&'static str> = FINISH.iter().copied().filter(fits).collect();
+        let drawing = self.spec.one(second).and_then(SurfaceSpec::drawing);
+        let mut keys = drawing.map_or(vec![], Drawing::open_keys);
         if let Some(written) = self.roughness_of(second) {
             let [asperities, index] = [Way::Asperities, Way::PlasticityIndex].map(Way::keys);
             for key in written.way.keys().iter().chain(asperities).chain(index) {
@@ -186,10 +177,8 @@ impl SceneFile {
                 _ => None,
             });
             let of_surface: Vec<&str> = of_surface.collect();
-            let one =
-                if second { self.spec.counterface.as_ref() } else { Some(&self.spec.surface) };
-            let is_drawn = one.is_some_and(|one| one.drawing().is_some());
-            if is_drawn && of_surface.iter().all(|key| FINISH.contains(key)) {
+            let drawing = self.spec.one(second).and_then(SurfaceSpec::drawing);
+            if drawing.is_some() && of_surface.iter().all(|key| FINISH.contains(key)) {
                 continue;
             }
             let Some(first) = self.roughness_of(second) else { continue };
@@ -246,8 +235,7 @@ impl SceneFile {
                 value.filter(|_| self.bodies().iter().all(is_same))
             }
             Input::Surface(second, key) => {
-                let one = if second { self.spec.counterface.as_ref()? } else { &self.spec.surface };
-                let drawn = one.drawing().and_then(|drawing| drawing.get(key));
+                let drawn = self.spec.one(second)?.drawing().and_then(|drawing| drawing.get(key));
                 drawn.or_else(|| self.roughness_of(second)?.number(key, &self.scene.interface))
             }
             Input::Scene((_, get, _)) => get(&self.spec),
@@ -309,7 +297,7 @@ impl SceneFile {
             return Ok(());
         }
         let Some(before) = self.roughness_of(second) else { return Ok(()) };
-        let edited = before.with(given, &spec.bodies.interface()?)?;
+        let edited = before.with(given, || spec.bodies.interface())?;
         let is_written = spec.surface_mut(second).is_some_and(|one| one.roughness().is_some());
         // A scan stays where its numbers do.
         if !is_written && edited == before {

@@ -164,3 +164,11 @@ def test_a_scene_without_bodies_says_that_youngs_modulus_needs_them() -> None:
     scene = asperity.Scene(interface, asperity.Surface(2e-4, 2e8, 1e-6), 1e-4)
     with pytest.raises(ValueError, match="^youngs_modulus "):
         scene.vary(youngs_modulus=np.array([1e11, 2e11]))
+
+
+def test_the_second_surface_has_names_of_its_own() -> None:
+    text = FILE.split("[surface]")[0] + "[surface]\nm0 = 1e-12\nm2 = 1e-4\nm4 = 5e4\n"
+    other = "counterface = { m0 = 4e-13, m2 = 2e-5, m4 = 3e4 }\n"
+    scene = asperity.Scene.parse(text + other).replace(counterface_m0=5e-13)
+    assert scene == asperity.Scene.parse(text + other.replace("4e-13", "5e-13"))
+    assert scene != asperity.Scene.parse(text + other)

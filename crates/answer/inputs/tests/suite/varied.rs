@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use asperity::{ContactModel, Quantity, Request};
+use asperity::fit::Data;
+use asperity::{ContactModel, Datum, Quantity, Request};
 use asperity_inputs::{
     BODY, Free, KEYS, SceneFile, Subject, key_of_input, parse, read_measurements,
 };
@@ -292,6 +293,25 @@ fn of_two_surfaces_a_fit_finds_the_number_of_the_first() {
             let found = fitted.parameters[0].value;
             assert!((found / value - 1.0).abs() < 1e-6, "{id} {key}: {found} of {value}");
         }
+    }
+}
+
+/// One value of both bodies would hide in which of them it was fitted.
+#[test]
+fn a_number_in_which_bodies_differ_is_fitted_for_one_of_them() {
+    let columns = [("load_N", 1.0), ("area_m2", 1e-9), ("area_m2_std", 1e-11)];
+    let columns = columns.map(|(name, value)| (name.to_string(), vec![Some(value)]));
+    let data = Data::from_columns(&columns, Datum::AsperityMean).unwrap();
+    let file = read(&text(&scenes(true, 0, None), ""));
+    for (name, is_free) in [
+        ("hardness", false),
+        ("hardness=1GPa:4GPa", false),
+        ("body1_hardness", true),
+        ("body2_hardness", true),
+        ("poissons_ratio", true),
+    ] {
+        let found = file.free_parameters(&[name.parse().unwrap()], &data);
+        assert_eq!(found.is_ok(), is_free, "{name}: {found:?}");
     }
 }
 

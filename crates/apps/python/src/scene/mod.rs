@@ -92,7 +92,8 @@ impl SceneFile {
         of_surface.insert("separation_from".into(), separation_from.into());
         let offset = mean_plane_offset.map(|given| number("Scene", "mean_plane_offset", given));
         of_surface.extend(offset.transpose()?.map(|x| ("mean_plane_offset".into(), x.into())));
-        let bodies = Bodies::of(records::bodies(interface)?, instance("interface", interface)?);
+        let of_pair = instance("interface", interface)?;
+        let bodies = Bodies::of(records::bodies(interface)?, of_pair);
         let area = number("Scene", "nominal_area", nominal_area)?;
         let options = keys_of(options.unwrap_or_default());
         let sections: [(_, asperity_inputs::OptionValue); 3] = [
