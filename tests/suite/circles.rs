@@ -9,15 +9,6 @@ use std::path::{Path, PathBuf};
 
 use crate::tidy::{assert_none, root, rust_files};
 
-/// Crates with circles that are left, and how many files these have. None may be added.
-const LEFT: [(&str, usize); 5] = [
-    ("crates/answer/inputs", 23),
-    ("crates/apps/plot", 2),
-    ("crates/asperity", 6),
-    ("crates/surfaces/topography", 7),
-    ("crates/uses/joints", 8),
-];
-
 /// A path within a crate, from its root.
 type Names = Vec<String>;
 
@@ -209,10 +200,7 @@ fn no_files_use_each_other_in_a_circle() {
     for src in sources {
         let name = src.parent().unwrap().strip_prefix(root()).unwrap().display().to_string();
         let circles = circles(&modules(&src, &files));
-        let left = LEFT.iter().find(|(known, _)| *known == name).map_or(0, |(_, left)| *left);
-        if circles.iter().map(Vec::len).sum::<usize>() > left {
-            found.extend(circles.iter().map(|one| format!("{name}: {}", one.join(" "))));
-        }
+        found.extend(circles.iter().map(|one| format!("{name}: {}", one.join(" "))));
     }
     assert_none(&found, "files that use each other in a circle");
 }

@@ -26,8 +26,7 @@ pub use evidence::{
 #[cfg(feature = "evidence")]
 pub use ranking::nearest_in_each;
 #[cfg(feature = "evidence")]
-pub use recommend::{
-    Comparison, EvidenceAt, Expectation, Recommendation, recommend_among, usual_reference,
-};
+pub use recommend::{Comparison, EvidenceAt, Expectation, Recommendation, recommend_among};
 #[cfg(feature = "evidence")]
+pub use recommended::usual_reference;
 pub use weighed::{Unlike, Weighed};

@@ -1,7 +1,8 @@
 //! How many asperities of a scene touch: one count for every model that is compared with boundary
 //! elements.
 
-use crate::{Weighed, usual_reference};
+use crate::recommended::usual_reference;
+use crate::weighed::Weighed;
 use asperity_core::{At, Contact, ContactError, Quantity, Request, Scene};
 
 /// Counts the asperities in contact at a load. Counts of models differ, by orders of magnitude with

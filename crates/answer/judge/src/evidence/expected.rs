@@ -111,6 +111,29 @@ impl ExpectedContact {
     }
 }
 
+impl ExpectedContact {
+    /// The surface and what stands behind the estimate: `alpha 8, psi 2; boundary elements on 16
+    /// surfaces`.
+    #[must_use]
+    pub fn basis(&self) -> String {
+        let short = |x: f64| ((10.0 * x).round() / 10.0).to_string();
+        let mut text = format!("alpha {}", short(self.alpha));
+        match self.plasticity_index > 0.0 {
+            true => text += &format!(", psi {}", short(self.plasticity_index)),
+            false => text += ", elastic",
+        }
+        text.extend(self.shape.differences().into_iter().map(|part| format!(", {part}")));
+        format!("{text}; {}", self.solved())
+    }
+
+    /// What was solved: `boundary elements on 16 surfaces`.
+    #[must_use]
+    pub fn solved(&self) -> String {
+        let hurst = if self.needs_hurst() { ", for a Hurst exponent near 0.8" } else { "" };
+        format!("boundary elements on {} surfaces{hurst}", self.surfaces)
+    }
+}
+
 impl Evidence {
     /// What boundary elements are expected to give for a scene at a mean pressure \[Pa\]. Without a
     /// shape the surface is taken as isotropic, and its heights must be Gaussian. With the number

@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 
-use crate::ExpectedContact;
 use crate::evidence::case::Compared;
 
 /// A model relative to boundary elements, and an interval that holds nine of ten surfaces.
@@ -92,29 +91,6 @@ fn agreement(quantity: Compared) -> f64 {
 /// Without a negative zero.
 fn percent(share: f64) -> f64 {
     (100.0 * share).round() + 0.0
-}
-
-impl ExpectedContact {
-    /// The surface and what stands behind the estimate: `alpha 8, psi 2; boundary elements on 16
-    /// surfaces`.
-    #[must_use]
-    pub fn basis(&self) -> String {
-        let short = |x: f64| ((10.0 * x).round() / 10.0).to_string();
-        let mut text = format!("alpha {}", short(self.alpha));
-        match self.plasticity_index > 0.0 {
-            true => text += &format!(", psi {}", short(self.plasticity_index)),
-            false => text += ", elastic",
-        }
-        text.extend(self.shape.differences().into_iter().map(|part| format!(", {part}")));
-        format!("{text}; {}", self.solved())
-    }
-
-    /// What was solved: `boundary elements on 16 surfaces`.
-    #[must_use]
-    pub fn solved(&self) -> String {
-        let hurst = if self.needs_hurst() { ", for a Hurst exponent near 0.8" } else { "" };
-        format!("boundary elements on {} surfaces{hurst}", self.surfaces)
-    }
 }
 
 #[cfg(test)]

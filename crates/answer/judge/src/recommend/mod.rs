@@ -15,23 +15,6 @@ pub(crate) use evidence::evidence_of;
 use evidence::farthest;
 pub use evidence::{EvidenceAt, Expectation};
 
-/// The id of the default reference model: `ke`, or `gw` without a hardness.
-///
-/// ```
-/// use asperity::{Interface, Scene, Surface, usual_reference};
-///
-/// let surface = Surface::new(3.6e-4, 1.11e8, 1e-6);
-/// assert_eq!(usual_reference(&Scene::new(Interface::new(116e9, 0.31, 1e9), surface, 3e-5)), "ke");
-/// assert_eq!(usual_reference(&Scene::new(Interface::elastic(1e7, 0.49), surface, 3e-5)), "gw");
-/// ```
-#[must_use]
-pub fn usual_reference(scene: &Scene) -> &'static str {
-    match scene.asperity() {
-        Ok(asperity) if asperity.hardness.is_some() => "ke",
-        _ => "gw",
-    }
-}
-
 /// Deviations of one model from the reference.
 #[derive(Debug, Clone, Serialize)]
 #[non_exhaustive]
