@@ -66,9 +66,9 @@ impl Entry {
         text.parse().map_err(|_| self.wrong("a unit of length"))
     }
 
-    /// Whether the numbers count points.
-    fn counts(&self) -> bool {
-        self.unit.as_deref().is_some_and(|unit| unit_meaning(unit) == Some("points"))
+    /// Whether the numbers count points, by their unit; `none` if they have none.
+    fn counts(&self, none: bool) -> bool {
+        self.unit.as_deref().map_or(none, |unit| unit_meaning(unit) == Some("points"))
     }
 }
 
@@ -197,7 +197,9 @@ impl Header {
     pub(super) fn points(&self) -> Result<[Option<usize>; 2], TopographyError> {
         let count = |axis: usize| {
             let own = self.find([["points x", "lines x"], ["points y", "points y"]][axis]);
-            let size = || self.find([["width"], ["height"]][axis]).filter(|entry| entry.counts());
+            let own = own.filter(|entry| entry.counts(true) && !entry.numbers.is_empty());
+            let size =
+                || self.find([["width"], ["height"]][axis]).filter(|entry| entry.counts(false));
             let both = || self.find(["points"]).filter(|entry| entry.numbers.len() == 2);
             let Some(entry) = own.or_else(size).or_else(both) else { return Ok(None) };
             let number = entry.positive(axis, "a number of points")?;
@@ -235,7 +237,9 @@ impl Header {
         [columns, rows]: [usize; 2],
         options: &ReadOptions,
     ) -> Result<Option<[Distance; 2]>, TopographyError> {
-        let [x, y] = [self.side(0, columns, options)?, self.side(1, rows, options)?];
+        let square = columns == rows || rows == 1;
+        let side = |axis, n| self.side(axis, n, square, options);
+        let [x, y] = [side(0, columns)?, side(1, rows)?];
         let y = y.or(x.filter(|_| rows == 1));
         Ok(x.zip(y).map(|(x, y)| [x, y]))
     }
@@ -244,6 +248,7 @@ impl Header {
         &self,
         axis: usize,
         n: usize,
+        square: bool,
         options: &ReadOptions,
     ) -> Result<Option<Distance>, TopographyError> {
         let lateral = self.lateral(axis, options)?;
@@ -251,17 +256,22 @@ impl Header {
             Some(unit) => entry.length_unit(unit).map(Some),
             None => Ok(lateral),
         };
-        let size = self.find([["width", "size"], ["height", "size"]][axis]);
-        if let Some(entry) = size.filter(|entry| !entry.counts()) {
+        // One number is the size of a square.
+        let both = || self.find(["size"]).filter(|entry| square || entry.numbers.len() == 2);
+        let size = self.find([["width"], ["height"]][axis]).or_else(both);
+        if let Some(entry) = size.filter(|entry| !entry.counts(false)) {
             let length = entry.positive(axis, "a length, for example 10 um,")?;
             match unit(entry)? {
                 Some(unit) => return Ok(Some(Distance::metre(length * unit.metres() / n as f64))),
                 // The number of points.
                 None if length.total_cmp(&(n as f64)).is_eq() => {}
+                None if options.pixel_size.is_some() => {}
                 None => return Err(no_unit(format!("line {}", entry.line), &entry.text)),
             }
         }
-        if let Some(entry) = self.find([["step x", "step"], ["step y", "step"]][axis]) {
+        let step = self.find([["step x", "step"], ["step y", "step"]][axis]);
+        let step = step.filter(|entry| entry.unit.is_some() || lateral.is_some());
+        if let Some(entry) = step.or_else(|| self.find(["pixel"])) {
             let aspect = self.find(["aspect"]).filter(|_| axis == 0);
             let aspect = aspect.map_or(Ok(1.0), |entry| entry.positive(9, "a ratio"))?;
             let value = aspect * entry.positive(axis, "a length above 0")?;

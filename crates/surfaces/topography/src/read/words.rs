@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn words_have_meanings_in_several_spellings() {
         for word in ["Pixel_Size", "pixel size", "PixelSize", "Cellsize"] {
-            assert_eq!(meanings("header", word), ["step"], "{word}");
+            assert_eq!(meanings("header", word), ["pixel"], "{word}");
         }
         assert_eq!(meanings("header", "Bit2nm"), ["factor@nm"]);
         assert_eq!(meanings("header", "magnification factor"), [""; 0]);

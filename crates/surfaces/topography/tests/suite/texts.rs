@@ -282,6 +282,8 @@ fn headers_of_instruments() {
         (format!("Width = 6\nHeight = 4.5\nunits = nm\n{}", plain()), "", "units"),
         (format!("Width = 6\nHeight = 4.5\n{}", plain()), "units=um,nm", ""),
         (format!("Width = 24\nHeight = 18\nunits = nm\n{}", plain()), "", "give pixel_size"),
+        (format!("Scan size: 6 um\nunits = nm\n{}", plain()), "", "give pixel_size"),
+        (format!("File format: 3\npixel size: 0.25 um\nunit: nm\n{}", plain()), "", ""),
     ]);
 }
 
@@ -616,8 +618,14 @@ fn counts_and_lengths_above_a_profile_are_no_heights() {
     cases([
         (tester("4.8\n24\n"), "unit=nm pixel=0.25um skip=2", ""),
         (tester("Ra\n4.8\n24\n"), "unit=nm pixel=0.25um skip=3", ""),
+        (
+            tester("Evaluation length: 4 um\nColumns: z\nStep: 2\nX range: 0 - 6\nUnit: nm\n"),
+            "",
+            "give pixel_size",
+        ),
+        (tester("Columns: z\nStep: 2\nLength x = 7\nUnit: nm\n"), "pixel=0.25um", ""),
         (tester("Profile length: 6 um\nUnit: nm\n"), "", ""),
-        (tester("Messstrecke; 6; um\nEinheit; nm\n"), "", ""),
+        (tester("Scan Length; 6; um\nEinheit; nm\n"), "", ""),
         (tester("Sampling interval = 250 nm\nPoints = 24\nUnit = nm\n"), "", ""),
         (tester("z [nm]\n"), "pixel=0.25um", ""),
     ]);
