@@ -24,7 +24,7 @@ pub struct HeaderLine {
 
 /// A key of a header and what stands behind it.
 #[derive(Debug, Clone)]
-pub(super) struct Entry {
+struct Entry {
     meanings: &'static [&'static str],
     line: usize,
     /// The line.
@@ -45,7 +45,7 @@ impl Entry {
         Self { meanings: meanings("header", name), line: 0, text, numbers, unit, words }
     }
 
-    pub(super) fn known(&self) -> bool {
+    fn known(&self) -> bool {
         !self.meanings.is_empty()
     }
 
@@ -72,8 +72,13 @@ impl Entry {
     }
 }
 
+/// Whether a line has a key that is understood.
+pub(super) fn is_known(text: &str, delimiter: Delimiter) -> bool {
+    entry(text, delimiter).is_some_and(|entry| entry.known())
+}
+
 /// The key of a line and what stands behind it: `# Width: 10 µm`, `"Width","10","µm"`, `ncols 48`.
-pub(super) fn entry(text: &str, delimiter: Delimiter) -> Option<Entry> {
+fn entry(text: &str, delimiter: Delimiter) -> Option<Entry> {
     let bare = text.trim_start_matches(COMMENT).trim_start_matches([' ', '"', '*', '\\', '/']);
     // Some keys stand alone or have a word for a value.
     let wordy = |entry: &Entry| {
@@ -146,18 +151,14 @@ impl Header {
         self.find(["name"]).map(|entry| entry.words.as_str())
     }
 
-    /// Whether the factor of the heights has a unit, to which it leads.
-    pub(super) fn has_unit_of_factor(&self) -> bool {
-        self.find(["factor"]).is_some_and(|entry| entry.unit.is_some())
+    /// The unit that the factor of the heights leads to, if it is stated beside it.
+    pub(super) fn unit_of_factor(&self) -> Result<Option<LengthUnit>, TopographyError> {
+        let Some(entry) = self.find(["factor"]) else { return Ok(None) };
+        entry.unit.as_ref().map(|unit| entry.length_unit(unit)).transpose()
     }
 
-    /// The unit that the header states for the heights, after their factor.
+    /// The unit that the header states for the heights.
     pub(super) fn unit(&self) -> Result<Option<LengthUnit>, TopographyError> {
-        if let Some((entry, unit)) =
-            self.find(["factor"]).and_then(|entry| Some((entry, entry.unit.as_ref()?)))
-        {
-            return entry.length_unit(unit).map(Some);
-        }
         let required = "a unit of length, or a conversion factor of the heights,";
         let unit = |entry: &Entry| entry.words.parse().map_err(|_| entry.wrong(required));
         self.find(["unit"]).map(unit).transpose()

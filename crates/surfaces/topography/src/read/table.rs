@@ -57,9 +57,10 @@ pub(super) fn scan(
     for code in header.missing() {
         scan.heights.iter_mut().filter(|z| is_code(**z, *code)).for_each(|z| *z = f64::NAN);
     }
-    if header.has_unit_of_factor() || scan.unit.is_none() {
-        scan.unit = header.unit()?;
-    }
+    scan.unit = match header.unit_of_factor()?.or(scan.unit) {
+        None => header.unit()?,
+        unit => unit,
+    };
     scan.factor = header.factor(scan.unit.or(options.height_unit()).is_some())?;
     Ok(scan)
 }
@@ -79,7 +80,7 @@ fn take_positions(block: &mut Block) -> Result<Option<Column>, TopographyError> 
         block.values.splice(..0, std::iter::once(f64::NAN).chain(numbers));
         return Ok(Some(corner));
     }
-    if n > 3 && 2 * numbers.len() >= n && block.is_like(text) && !text.starts_with(COMMENT) {
+    if n > 3 && 2 * numbers.len() >= n && block.is_like(text) && !text.starts_with(['#', '%']) {
         return Err(refuse_line(*number, text, "a row of finite numbers, or nan,"));
     }
     Ok(None)
