@@ -296,7 +296,7 @@ fn separations_on_exponential_heights_are_from_the_lowest_asperity() {
     let mut scene = named("at-paper");
     for (heights, plane) in [
         (HeightDistribution::Exponential, "the lowest asperity"),
-        (HeightDistribution::Gaussian, "mean of the asperity"),
+        (HeightDistribution::Gaussian, "the mean of the asperity heights"),
     ] {
         scene.heights = heights;
         let check = Check::at(&model("ke"), &scene, At::Load(1.0)).unwrap();

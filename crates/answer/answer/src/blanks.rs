@@ -4,7 +4,8 @@ use std::mem::{Discriminant, discriminant};
 
 use asperity::ContactError;
 
-/// The kind of an error, up to its numbers: its variant, and the field or property that it is about.
+/// The kind of an error, up to its numbers: its variant, and the field or property that it is
+/// about.
 pub(crate) type Kind = (Discriminant<ContactError>, &'static str);
 
 /// The reasons for blanks in rows of one model: what is blank, the kind of the error, the first

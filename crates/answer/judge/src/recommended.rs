@@ -1,5 +1,5 @@
-//! Ids of the models that messages recommend and compare with; a test of the crate `asperity` compares them with its
-//! registry.
+//! Ids of the models that messages recommend and compare with; a test of the crate `asperity`
+//! compares them with its registry.
 
 use asperity_core::Scene;
 

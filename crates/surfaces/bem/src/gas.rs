@@ -128,8 +128,9 @@ impl BoundaryElements {
         width_over_length: f64,
     ) -> Result<f64, BemError> {
         Gas::between(pressures, width_over_length, |pressure| {
-            let map = self.gap_map_by(solution, |gap| gas.conductance(gap, pressure))?;
-            map.conductance(direction)
+            let of = |gap: f64| gas.conductance(gap, pressure);
+            let map = self.gap_map_by(solution, |gap, largest| of(gap) / of(largest))?;
+            Ok(of(map.largest) * map.conductance(direction)?)
         })
     }
 }

@@ -66,9 +66,9 @@ impl Leak {
 /// The gap map of a contact.
 pub(crate) struct GapMap<'a> {
     map: &'a HeightMap,
-    /// The largest conductivity: of a liquid g³ \[m³\].
-    largest: f64,
-    /// Of conductivities over the largest; 0 in contact.
+    /// The largest gap \[m\].
+    pub(crate) largest: f64,
+    /// Of conductivities over that of the largest gap, of a liquid g³; 0 in contact.
     network: Network,
 }
 
@@ -106,53 +106,61 @@ impl BoundaryElements {
     }
 
     pub(crate) fn gap_map(&self, solution: &Solution) -> Result<GapMap<'_>, BemError> {
-        self.gap_map_by(solution, |gap| gap.powi(3))
+        self.gap_map_by(solution, cube)
     }
 
-    /// The gap map of a contact in which gaps conduct so.
+    /// The gap map of a contact in which a gap conducts this share of the largest.
     pub(crate) fn gap_map_by(
         &self,
         solution: &Solution,
-        conductivity: impl Fn(f64) -> f64,
+        share: impl Fn(f64, f64) -> f64,
     ) -> Result<GapMap<'_>, BemError> {
         self.pixels_of(solution)?;
         let gaps = solution.gaps.iter().zip(&solution.pressures);
-        let open = gaps.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { gap.max(0.0) });
-        Ok(self.gap_map_of(open.map(conductivity).collect()))
+        let open = gaps.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { *gap });
+        Ok(self.gap_map_of(open, share))
     }
 
     /// The gap map of surfaces that do not touch, apart by this mean gap \[m\].
     pub(crate) fn open_gap_map(&self, mean_gap: f64) -> GapMap<'_> {
-        let gap = |height: &f64| (mean_gap - height).max(0.0).powi(3);
-        self.gap_map_of(self.map().heights().iter().map(gap).collect())
+        self.gap_map_of(self.map().heights().iter().map(|height| mean_gap - height), cube)
     }
 
-    fn gap_map_of(&self, mut conductivities: Vec<f64>) -> GapMap<'_> {
-        let largest = conductivities.iter().copied().fold(0.0, f64::max);
+    fn gap_map_of(
+        &self,
+        gaps: impl Iterator<Item = f64>,
+        share: impl Fn(f64, f64) -> f64,
+    ) -> GapMap<'_> {
+        let mut shares: Vec<f64> = gaps.map(|gap| gap.max(0.0)).collect();
+        let largest = shares.iter().copied().fold(0.0, f64::max);
         if largest > 0.0 {
-            conductivities.iter_mut().for_each(|one| *one /= largest);
+            shares.iter_mut().for_each(|gap| *gap = share(*gap, largest));
         }
         let periodic = self.boundary_condition() == Boundary::Periodic;
         let map = self.map();
-        let network = Network::new(conductivities, map.shape(), map.pixel(), periodic);
-        GapMap { map, largest, network }
+        GapMap { map, largest, network: Network::new(shares, map.shape(), map.pixel(), periodic) }
     }
 }
 
+/// The share of a gap of a liquid.
+fn cube(gap: f64, largest: f64) -> f64 {
+    (gap / largest).powi(3)
+}
+
 impl GapMap<'_> {
-    /// The conductivity of an even gap that lets as much pass.
+    /// The conductivity of an even gap that lets as much pass, over that of the largest gap.
     pub(crate) fn conductance(&self, direction: Direction) -> Result<f64, BemError> {
         let [length, width] = outline(self.map, direction);
         let flows = inside(|| self.network.flows(direction));
         let [inlet, outlet] = flows.map(|flow| flow * length / width);
         match (inlet - outlet).abs() <= BALANCE * outlet {
-            true => Ok(self.largest * outlet),
+            true => Ok(outlet),
             false => Err(BemError::Unbalanced { inlet, outlet }),
         }
     }
 
     pub(crate) fn hydraulic_gap(&self, direction: Direction) -> Result<f64, BemError> {
-        self.conductance(direction).map(f64::cbrt)
+        Ok(self.largest * self.conductance(direction)?.cbrt())
     }
 
     fn flux(&self, direction: Direction) -> Vec<f64> {
@@ -187,7 +195,7 @@ impl GapMap<'_> {
             low = 2.0 * low - 1.0;
         }
         let found = bracketed_root(mean, low, 0.0);
-        found.map_or(0.0, |logarithm| (self.largest * logarithm.exp()).cbrt())
+        found.map_or(0.0, |logarithm| self.largest * (logarithm / 3.0).exp())
     }
 }
 

@@ -21,18 +21,19 @@ const LOCAL: f64 = 2.0;
 const GLOBAL: f64 = 4.0;
 /// The share of the points that may be further outside than the body of the surface.
 const TAIL: f64 = 0.01;
-/// More outliers than that are themselves in the body: this many times the median distance of
-/// points from the mean of two neighbours is enough.
+/// Outliers at a larger share are themselves that body: where it is this many times as far as the
+/// median distance of points from the mean of two neighbours, that distance decides.
 const USUAL: f64 = 20.0;
 /// Distances below this share of the largest height are rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 impl Topography {
     /// The outliers of the surface: points that lie outside their neighbours (5 x 5, in a profile
-    /// 17) by twice the range of these, and by four times what 99 % of all points do or by
-    /// twenty times the median distance of points from the mean of two neighbours. Up to four
-    /// adjacent points (in a profile three) are found; larger ones are features. The least-squares
-    /// plane is ignored. None are found where a point has fewer than 12 measured neighbours.
+    /// 17) by twice the range of these, and by four times what 99 % of all points do; where more
+    /// than 1 % are outliers, by twenty times the median distance of points from the mean of two
+    /// neighbours. Up to four adjacent points (in a profile three) are found; larger ones are
+    /// features. The least-squares plane is ignored. None are found where a point has fewer than 12
+    /// measured neighbours.
     ///
     /// Those of a [filtered](Self::filter) or [smoothed](Self::smooth) surface are those found
     /// before, because a filter spreads them.
@@ -97,8 +98,8 @@ impl Topography {
         }
         let largest = flat.heights().iter().fold(0.0, |largest, z| f64::max(largest, z.abs()));
         let rounding = ROUNDING * largest;
-        let usual = usual_distance(&flat, rounding);
-        let floor = (GLOBAL * body).min(USUAL * usual).max(rounding);
+        let usual = USUAL * usual_distance(&flat, rounding);
+        let floor = if body > usual { usual } else { GLOBAL * body }.max(rounding);
         candidates.retain(|one| one.outside() > floor && one.outside() > LOCAL * one.range);
         candidates.sort_by_key(|one| one.at);
         let furthest = candidates.iter().max_by(|a, b| a.outside().total_cmp(&b.outside()));

@@ -131,22 +131,18 @@ impl FromStr for Distance {
     type Err = TopographyError;
 
     fn from_str(text: &str) -> Result<Self, TopographyError> {
-        // A comma separates two distances.
-        let found = match quantities(text, ' ') {
-            (numbers, unit) if !text.contains(',') => match (&numbers[..], unit) {
-                ([value], None) => Some((*value, None)),
-                ([value], Some(unit)) => unit.parse().ok().map(|unit| (*value, Some(unit))),
-                _ => None,
-            },
-            _ => None,
-        };
-        let found = found.filter(|(value, _)| *value > 0.0 && value.is_finite());
-        let unknown = || TopographyError::UnknownName {
-            field: "pixel_size",
-            found: excerpt(text.trim()),
-            names: "a length above 0 in the unit of the heights, or with a unit (10 nm)".into(),
-        };
-        found.map(|(value, unit)| Self { value, unit }).ok_or_else(unknown)
+        let (numbers, unit) = quantities(text, ' ');
+        match (&numbers[..], unit.map(str::parse).transpose()) {
+            // A comma separates two distances.
+            (&[value], Ok(unit)) if value > 0.0 && value.is_finite() && !text.contains(',') => {
+                Ok(Self { value, unit })
+            }
+            _ => Err(TopographyError::UnknownName {
+                field: "pixel_size",
+                found: excerpt(text.trim()),
+                names: "a length above 0 in the unit of the heights, or with a unit (10 nm)".into(),
+            }),
+        }
     }
 }
 

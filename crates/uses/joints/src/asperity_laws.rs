@@ -6,10 +6,10 @@ use asperity_core::{
     Asperity, ContactError, ContactModel, Law, QuadratureError, SumOfContacts, Tolerance, positive,
 };
 
-use crate::UnloadingLaw;
 use crate::contact_range::recovery_extrema;
 use crate::remaining::RemainingFraction;
 use crate::tabulated_law::tabulated;
+use crate::unloading_law::UnloadingLaw;
 
 /// A quantity of one asperity after a retreat u.
 #[derive(Debug, Clone, Copy, PartialEq)]

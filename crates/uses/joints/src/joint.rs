@@ -9,7 +9,7 @@ use asperity_core::{
 
 use crate::asperity_laws::{AsperityLaws, UnloadingQuantity};
 use crate::retreat_model::RetreatModel;
-use crate::{Unloading, UnloadingLaw};
+use crate::unloading_law::UnloadingLaw;
 
 /// Bound on the error of the first remaining interference, in units of the last place: δ takes some
 /// ten operations and grows at least as a square root; the largest error observed is 26.
@@ -94,14 +94,6 @@ impl Joint {
 
     pub(crate) fn name(&self) -> &str {
         &self.name
-    }
-
-    /// Unloading from a closest approach; for a load, from the largest separation that carries it.
-    ///
-    /// # Errors
-    /// The errors of finding a load.
-    pub fn unloading(&self, closest: At) -> Result<Unloading, ContactError> {
-        Unloading::of_joint(self.clone(), self.virgin.separation(closest)?)
     }
 
     /// The turning points of a history as separations \[m\] from the mean of the asperity heights,

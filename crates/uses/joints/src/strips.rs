@@ -5,10 +5,10 @@ use asperity_core::{At, ContactError, QuadratureError, Quantity, Tolerance, posi
 use asperity_quadrature::{chebyshev_roots, chebyshev_terms};
 
 use crate::asperity_laws::UnloadingQuantity;
-use crate::{Joint, JointTable};
+use crate::joint::Joint;
+use crate::strip::{Strip, StripCell, TERMS};
+use crate::table::JointTable;
 
-/// Terms in each direction.
-const TERMS: usize = 8;
 /// Initial width of strips \[σ_z\].
 const STRIP: f64 = 0.5;
 /// Largest number of times that a strip or cell is halved.
@@ -21,27 +21,6 @@ const MAX_DISTANCE: f64 = 1e8;
 const ERROR_SHARE: f64 = 0.1;
 /// Retreat \[σ_z\] below which the search for the end of contact stops.
 const NEGLIGIBLE: f64 = 1e-6;
-
-/// A range of closest approaches.
-#[derive(Debug, Clone)]
-pub(crate) struct Strip {
-    /// Start of the range \[m\], and 2 over its length \[1/m\].
-    pub(crate) from: f64,
-    pub(crate) scale: f64,
-    /// Ascending in u.
-    pub(crate) cells: Vec<StripCell>,
-}
-
-/// Retreats from `from` to `to`.
-#[derive(Debug, Clone)]
-pub(crate) struct StripCell {
-    pub(crate) from: f64,
-    pub(crate) to: f64,
-    /// Coefficients of Tᵢ(c) Tⱼ(u), `terms[i][j]`.
-    pub(crate) terms: [[f64; TERMS]; TERMS],
-    /// Lower limit of the force \[N\]: 0, or minus infinity if the model has tensile forces.
-    pub(crate) least: f64,
-}
 
 impl Joint {
     /// A table for closest approaches from `deepest` to `open` \[m from the mean of the asperity

@@ -5,8 +5,8 @@
 use asperity_core::{At, ContactError, Separation};
 use serde::{Deserialize, Serialize};
 
-use crate::Joint;
-use crate::strips::Strip;
+use crate::joint::Joint;
+use crate::strip::Strip;
 
 /// A joint, tabulated for many steps.
 #[derive(Debug, Clone)]

@@ -1,59 +1,14 @@
 //! Unloading of a rough contact from its closest approach.
 
-use std::fmt;
-use std::str::FromStr;
-
 use asperity_core::{
     At, ContactError, ContactModel, Datum, Evaluation, Quantity, Scene, Separation, SeparationUnit,
-    Tolerance, nearest_hint, nearest_name, positive,
+    Tolerance, positive,
 };
 
-use crate::Joint;
 use crate::asperity_laws::UnloadingQuantity;
+use crate::joint::Joint;
 use crate::root::{MAX_DISTANCE, falling_root};
-
-/// The unloading law of an asperity; the documentation of the crate gives equations and sources.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
-#[non_exhaustive]
-pub enum UnloadingLaw {
-    /// As a Hertzian contact of the force and area at the closest approach.
-    #[default]
-    Hertz,
-    /// Brake 2015: as a sphere of another radius; the area jumps at the start of unloading.
-    Brake,
-    /// Etsion, Kligerman & Kadin 2005: a fit to finite elements, for force and stiffness only.
-    Etsion,
-}
-
-impl UnloadingLaw {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Hertz, Self::Brake, Self::Etsion];
-}
-
-impl fmt::Display for UnloadingLaw {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Hertz => "hertz",
-            Self::Brake => "brake",
-            Self::Etsion => "etsion",
-        })
-    }
-}
-
-impl FromStr for UnloadingLaw {
-    type Err = String;
-
-    /// Reads the names that [`Display`](fmt::Display) writes, in any case.
-    fn from_str(name: &str) -> Result<Self, String> {
-        let wanted = name.trim().to_lowercase();
-        let found = Self::ALL.into_iter().find(|law| law.to_string() == wanted);
-        let known = Self::ALL.map(|law| law.to_string()).join(", ");
-        let names = Self::ALL.map(|law| law.to_string());
-        let near = nearest_name(&wanted, names.iter().map(String::as_str));
-        let near = nearest_hint(near);
-        found.ok_or_else(|| format!("{name:?} is none of {known}{near}"))
-    }
-}
+use crate::unloading_law::UnloadingLaw;
 
 /// Tolerance of searches where the integrals do not reach the joint's.
 const ROUGH: f64 = 1e-6;
@@ -65,6 +20,16 @@ pub struct Unloading {
     closest: Separation,
     /// In σ_z from the mean of the asperity heights.
     place: f64,
+}
+
+impl Joint {
+    /// Unloading from a closest approach; for a load, from the largest separation that carries it.
+    ///
+    /// # Errors
+    /// The errors of finding a load.
+    pub fn unloading(&self, closest: At) -> Result<Unloading, ContactError> {
+        Unloading::of_joint(self.clone(), self.virgin().separation(closest)?)
+    }
 }
 
 impl Unloading {
@@ -83,7 +48,7 @@ impl Unloading {
         Joint::new(model, scene, law, tolerance)?.unloading(closest)
     }
 
-    pub(crate) fn of_joint(joint: Joint, closest: Separation) -> Result<Self, ContactError> {
+    fn of_joint(joint: Joint, closest: Separation) -> Result<Self, ContactError> {
         let (sigmas, mean) = (SeparationUnit::Sigma, Datum::AsperityMean);
         let place = closest.measured_in(sigmas, mean, joint.scene())?.value;
         Ok(Self { joint, closest, place })

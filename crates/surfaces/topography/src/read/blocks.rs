@@ -1,6 +1,6 @@
 //! Blocks of a text: header lines and the table of numbers below them.
 
-use super::header::entry;
+use super::header::is_known;
 use super::lines::{COMMENT, Delimiter, text, value};
 use super::scan::ReadOptions;
 use super::words::meanings;
@@ -64,8 +64,9 @@ pub(super) fn blocks(bytes: &[u8], options: &ReadOptions) -> Result<Vec<Block>, 
                 Ok(()) => None,
                 Err(error) => {
                     let line = text(line);
-                    let comment = line.starts_with(COMMENT);
-                    match entry(&line, block.delimiter).is_some_and(|entry| entry.known()) {
+                    let comment = line.starts_with(['#', '%'])
+                        || line.starts_with(COMMENT) && !block.is_like(&line);
+                    match is_known(&line, block.delimiter) {
                         false if comment => None,
                         false if block.is_like(&line) => return Err(error),
                         _ => Some(line),
@@ -93,9 +94,8 @@ pub(super) fn blocks(bytes: &[u8], options: &ReadOptions) -> Result<Vec<Block>, 
         return Err(refuse_line(line, &found, "a row of numbers in this line or below"));
     };
     // Lines below the last table may belong to its header.
-    let stray = |line: &&(usize, String)| {
-        let known = entry(&line.1, last.delimiter).is_some_and(|entry| entry.known());
-        !known && !line.1.starts_with(COMMENT) && meanings("header", &line.1).is_empty()
+    let stray = |(_, line): &&(usize, String)| {
+        !is_known(line, last.delimiter) && !line.starts_with(COMMENT)
     };
     if let Some((line, found)) = header.iter().find(stray) {
         return Err(refuse_line(*line, found, "a row of numbers or a comment (#)"));
@@ -133,7 +133,9 @@ impl Block {
 
     /// Whether a line that is no row seems to be a broken one.
     pub(super) fn is_like(&self, line: &str) -> bool {
-        let as_many = self.delimiter.fields(line.as_bytes()).count() == self.columns;
+        let fields = self.delimiter.fields(line.as_bytes());
+        let number = |field: &[u8]| value(field, self.delimiter.decimal_comma()).is_some();
+        let as_many = fields.clone().count() == self.columns && fields.clone().any(number);
         as_many
             || line
                 .trim_start_matches(['-', '+', '.', ' ', '"'])

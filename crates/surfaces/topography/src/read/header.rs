@@ -24,7 +24,7 @@ pub struct HeaderLine {
 
 /// A key of a header and what stands behind it.
 #[derive(Debug, Clone)]
-pub(super) struct Entry {
+struct Entry {
     meanings: &'static [&'static str],
     line: usize,
     /// The line.
@@ -45,7 +45,7 @@ impl Entry {
         Self { meanings: meanings("header", name), line: 0, text, numbers, unit, words }
     }
 
-    pub(super) fn known(&self) -> bool {
+    fn known(&self) -> bool {
         !self.meanings.is_empty()
     }
 
@@ -66,14 +66,19 @@ impl Entry {
         text.parse().map_err(|_| self.wrong("a unit of length"))
     }
 
-    /// Whether the numbers count points.
-    fn counts(&self) -> bool {
-        self.unit.as_deref().is_some_and(|unit| unit_meaning(unit) == Some("points"))
+    /// Whether the numbers count points, by their unit; `none` if they have none.
+    fn counts(&self, none: bool) -> bool {
+        self.unit.as_deref().map_or(none, |unit| unit_meaning(unit) == Some("points"))
     }
 }
 
+/// Whether a line has a key that is understood.
+pub(super) fn is_known(text: &str, delimiter: Delimiter) -> bool {
+    entry(text, delimiter).is_some_and(|entry| entry.known())
+}
+
 /// The key of a line and what stands behind it: `# Width: 10 µm`, `"Width","10","µm"`, `ncols 48`.
-pub(super) fn entry(text: &str, delimiter: Delimiter) -> Option<Entry> {
+fn entry(text: &str, delimiter: Delimiter) -> Option<Entry> {
     let bare = text.trim_start_matches(COMMENT).trim_start_matches([' ', '"', '*', '\\', '/']);
     // Some keys stand alone or have a word for a value.
     let wordy = |entry: &Entry| {
@@ -146,18 +151,14 @@ impl Header {
         self.find(["name"]).map(|entry| entry.words.as_str())
     }
 
-    /// Whether the factor of the heights has a unit, to which it leads.
-    pub(super) fn has_unit_of_factor(&self) -> bool {
-        self.find(["factor"]).is_some_and(|entry| entry.unit.is_some())
+    /// The unit that the factor of the heights leads to, if it is stated beside it.
+    pub(super) fn unit_of_factor(&self) -> Result<Option<LengthUnit>, TopographyError> {
+        let Some(entry) = self.find(["factor"]) else { return Ok(None) };
+        entry.unit.as_ref().map(|unit| entry.length_unit(unit)).transpose()
     }
 
-    /// The unit that the header states for the heights, after their factor.
+    /// The unit that the header states for the heights.
     pub(super) fn unit(&self) -> Result<Option<LengthUnit>, TopographyError> {
-        if let Some((entry, unit)) =
-            self.find(["factor"]).and_then(|entry| Some((entry, entry.unit.as_ref()?)))
-        {
-            return entry.length_unit(unit).map(Some);
-        }
         let required = "a unit of length, or a conversion factor of the heights,";
         let unit = |entry: &Entry| entry.words.parse().map_err(|_| entry.wrong(required));
         self.find(["unit"]).map(unit).transpose()
@@ -197,7 +198,9 @@ impl Header {
     pub(super) fn points(&self) -> Result<[Option<usize>; 2], TopographyError> {
         let count = |axis: usize| {
             let own = self.find([["points x", "lines x"], ["points y", "points y"]][axis]);
-            let size = || self.find([["width"], ["height"]][axis]).filter(|entry| entry.counts());
+            let own = own.filter(|entry| entry.counts(true) && !entry.numbers.is_empty());
+            let size =
+                || self.find([["width"], ["height"]][axis]).filter(|entry| entry.counts(false));
             let both = || self.find(["points"]).filter(|entry| entry.numbers.len() == 2);
             let Some(entry) = own.or_else(size).or_else(both) else { return Ok(None) };
             let number = entry.positive(axis, "a number of points")?;
@@ -235,7 +238,9 @@ impl Header {
         [columns, rows]: [usize; 2],
         options: &ReadOptions,
     ) -> Result<Option<[Distance; 2]>, TopographyError> {
-        let [x, y] = [self.side(0, columns, options)?, self.side(1, rows, options)?];
+        let square = columns == rows || rows == 1;
+        let side = |axis, n| self.side(axis, n, square, options);
+        let [x, y] = [side(0, columns)?, side(1, rows)?];
         let y = y.or(x.filter(|_| rows == 1));
         Ok(x.zip(y).map(|(x, y)| [x, y]))
     }
@@ -244,6 +249,7 @@ impl Header {
         &self,
         axis: usize,
         n: usize,
+        square: bool,
         options: &ReadOptions,
     ) -> Result<Option<Distance>, TopographyError> {
         let lateral = self.lateral(axis, options)?;
@@ -251,17 +257,22 @@ impl Header {
             Some(unit) => entry.length_unit(unit).map(Some),
             None => Ok(lateral),
         };
-        let size = self.find([["width", "size"], ["height", "size"]][axis]);
-        if let Some(entry) = size.filter(|entry| !entry.counts()) {
+        // One number is the size of a square.
+        let both = || self.find(["size"]).filter(|entry| square || entry.numbers.len() == 2);
+        let size = self.find([["width"], ["height"]][axis]).or_else(both);
+        if let Some(entry) = size.filter(|entry| !entry.counts(false)) {
             let length = entry.positive(axis, "a length, for example 10 um,")?;
             match unit(entry)? {
                 Some(unit) => return Ok(Some(Distance::metre(length * unit.metres() / n as f64))),
                 // The number of points.
                 None if length.total_cmp(&(n as f64)).is_eq() => {}
+                None if options.pixel_size.is_some() => {}
                 None => return Err(no_unit(format!("line {}", entry.line), &entry.text)),
             }
         }
-        if let Some(entry) = self.find([["step x", "step"], ["step y", "step"]][axis]) {
+        let step = self.find([["step x", "step"], ["step y", "step"]][axis]);
+        let step = step.filter(|entry| entry.unit.is_some() || lateral.is_some());
+        if let Some(entry) = step.or_else(|| self.find(["pixel"])) {
             let aspect = self.find(["aspect"]).filter(|_| axis == 0);
             let aspect = aspect.map_or(Ok(1.0), |entry| entry.positive(9, "a ratio"))?;
             let value = aspect * entry.positive(axis, "a length above 0")?;

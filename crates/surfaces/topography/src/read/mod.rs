@@ -50,20 +50,20 @@ pub const MAX_FILE_BYTES: u64 = 1 << 31;
 /// | 3 | points x y z of a regular grid, in any order |
 /// | 4 and more | a matrix: a row of heights to a line |
 ///
-/// Text is UTF-8, Latin 1 or, with its mark at the beginning, UTF-16. Columns are separated by
-/// semicolons, tabs, commas or spaces: the first of these that the first row of numbers has. The
-/// decimal separator is a point or, where commas do not separate columns, a comma. Lines before
-/// that row are a header, in English, German or French. It may name units over the columns
-/// (`x [mm], z [µm]` or `x_mm, z_um`), and for a matrix the size (`Width: 10 µm`, `Height: 10 µm`:
-/// n pixels of 10/n µm), the unit of the heights (`Value units: nm`), their factor (`height
-/// conversion factor (-> m)=2.9e-8`) and the pixel size (`pixel size=0.37 µm`). `nan`, `bad`, `No
-/// Data`, `***`, `--` and empty fields are missing points.
+/// Names over the columns and positions in the first row and column of a matrix go before that.
+/// Text is UTF-8, Latin 1 or, with its mark at the beginning, UTF-16. Fields are separated by
+/// semicolons, tabs, commas or spaces: the first of these that the first row of numbers has; they
+/// may be quoted. The decimal separator is a point or, in quotes or where commas do not separate, a
+/// comma. Lines before that row are a header in the words of `words.csv`: size, pixel size, numbers
+/// of points, units, factor and the code of missing points; [`read_header`] shows them. `nan`,
+/// `bad`, `No Data`, `***`, `--` and empty fields are missing points.
 ///
 /// Rows and columns are in one order for all formats: x grows with the column and y with the row,
 /// in the coordinates of the file. A file without coordinates begins with row 0, column 0.
 ///
 /// # Errors
-/// [`TopographyError::File`] with the path and the error.
+/// [`TopographyError::File`] with the path and the error, which is
+/// [`Undecided`](TopographyError::Undecided) where an option must choose between readings.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<Topography, TopographyError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let checked = options.check().and_then(|()| all_bytes(path));

@@ -202,18 +202,19 @@ const FEWEST: usize = 50;
 /// of all others: it may mark missing points.
 fn refuse_code(heights: &[f64]) -> Result<(), TopographyError> {
     let measured = || heights.iter().copied().filter(|z| !z.is_nan());
+    let same = |a: &f64, b: &f64| (a - b).abs() <= 0.0;
     let n = measured().count();
     for end in
         [measured().fold(f64::INFINITY, f64::min), measured().fold(f64::NEG_INFINITY, f64::max)]
     {
-        let count = measured().filter(|z| *z == end).count();
+        let count = measured().filter(|z| same(z, &end)).count();
         if n < FEWEST || (count as f64) < CODED * n as f64 || n - count < FEWEST {
             continue;
         }
-        let mut rest: Vec<f64> = measured().filter(|z| *z != end).collect();
+        let mut rest: Vec<f64> = measured().filter(|z| !same(z, &end)).collect();
         rest.sort_unstable_by(f64::total_cmp);
         // Terraces and coarse steps repeat other heights as well.
-        let repeated = rest.chunk_by(|a, b| a == b).any(|same| 3 * same.len() > count);
+        let repeated = rest.chunk_by(same).any(|same| 3 * same.len() > count);
         let at = |share: f64| rest[(share * (rest.len() - 1) as f64) as usize];
         let gap = (end - at(0.0)).abs().min((end - at(1.0)).abs());
         if !repeated && gap > 0.5 * (at(0.84) - at(0.16)) {

@@ -57,9 +57,10 @@ pub(super) fn scan(
     for code in header.missing() {
         scan.heights.iter_mut().filter(|z| is_code(**z, *code)).for_each(|z| *z = f64::NAN);
     }
-    if header.has_unit_of_factor() || scan.unit.is_none() {
-        scan.unit = header.unit()?;
-    }
+    scan.unit = match header.unit_of_factor()?.or(scan.unit) {
+        None => header.unit()?,
+        unit => unit,
+    };
     scan.factor = header.factor(scan.unit.or(options.height_unit()).is_some())?;
     Ok(scan)
 }
@@ -79,7 +80,7 @@ fn take_positions(block: &mut Block) -> Result<Option<Column>, TopographyError> 
         block.values.splice(..0, std::iter::once(f64::NAN).chain(numbers));
         return Ok(Some(corner));
     }
-    if n > 3 && 2 * numbers.len() >= n && block.is_like(text) && !text.starts_with(COMMENT) {
+    if n > 3 && 2 * numbers.len() >= n && block.is_like(text) && !text.starts_with(['#', '%']) {
         return Err(refuse_line(*number, text, "a row of finite numbers, or nan,"));
     }
     Ok(None)
@@ -191,10 +192,19 @@ fn by_names(names: &[Column]) -> Result<Option<Layout>, TopographyError> {
     let of = |role: &str| -> Vec<usize> {
         (0..names.len()).filter(|k| names[*k].role == role).collect()
     };
-    let [x, y, z, other, index, valid] = ["x", "y", "z", "-", "index", "valid"].map(of);
+    let [mut x, mut y, z, other, index, valid] = ["x", "y", "z", "-", "index", "valid"].map(of);
+    let unknown = of("");
+    // Names before that of the heights are those of positions.
+    let before = unknown.iter().filter(|k| z.first().is_some_and(|z| *k < z)).copied();
+    let before: Vec<_> = if x.is_empty() && y.is_empty() { before.collect() } else { vec![] };
+    if let [first, ref second @ ..] = before[..]
+        && second.len() < 2
+    {
+        (x, y) = (vec![first], second.to_vec());
+    }
     // Beside x alone, y are heights.
     let beside = || if x.is_empty() { vec![] } else { y.clone() };
-    let heights = [z, of("")].into_iter().find(|z| !z.is_empty()).unwrap_or_else(beside);
+    let heights = [z, unknown].into_iter().find(|z| !z.is_empty()).unwrap_or_else(beside);
     let placed = [&x, &y, &other, &index].iter().any(|columns| !columns.is_empty());
     let shown = || names.iter().map(|name| excerpt(&name.name)).collect::<Vec<_>>().join(", ");
     let place = || format!("columns {}", shown());

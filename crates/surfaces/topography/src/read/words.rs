@@ -52,7 +52,8 @@ pub(crate) fn named(text: &str) -> (&str, Option<&str>) {
     let known = |unit: &&str| unit_meaning(unit).is_some();
     if let Some((name, rest)) = text.split_once(['[', '(']) {
         let unit = rest.trim_end_matches([']', ')', '"']).rsplit("->").next();
-        return (name.trim(), unit.map(str::trim).filter(known));
+        let unit = unit.map(str::trim).filter(known);
+        return (if name.is_empty() && unit.is_none() { text } else { name.trim() }, unit);
     }
     let at = text.rfind(['_', '/', ' ']).map_or(0, |at| at + 1);
     let (name, unit) = text.split_at(at);
@@ -97,7 +98,7 @@ mod tests {
     #[test]
     fn words_have_meanings_in_several_spellings() {
         for word in ["Pixel_Size", "pixel size", "PixelSize", "Cellsize"] {
-            assert_eq!(meanings("header", word), ["step"], "{word}");
+            assert_eq!(meanings("header", word), ["pixel"], "{word}");
         }
         assert_eq!(meanings("header", "Bit2nm"), ["factor@nm"]);
         assert_eq!(meanings("header", "magnification factor"), [""; 0]);

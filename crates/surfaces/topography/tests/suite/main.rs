@@ -12,5 +12,6 @@ mod outliers;
 mod parameters;
 mod scale;
 mod spectra;
+mod tables;
 mod texts;
 mod wording;

@@ -75,6 +75,21 @@ fn a_spiked_ground_surface_comes_back() {
     }
 }
 
+#[test]
+fn lost_points_are_found_at_any_share() {
+    let clean = ground();
+    for (nth, least) in [(400, 1.0), (90, 1.0), (41, 0.99), (19, 0.9)] {
+        let lost = |at: usize| (7 * at + at / clean.columns()).is_multiple_of(nth);
+        let height = |(at, z): (usize, &f64)| if lost(at) { -1e-4 } else { *z };
+        let heights: Vec<f64> = clean.heights().iter().enumerate().map(height).collect();
+        let all = (0..heights.len()).filter(|at| lost(*at)).count();
+        let coded = Topography::new(heights, clean.columns(), clean.pixel_size()).unwrap();
+        let found = coded.outliers();
+        assert!(found.points.iter().all(|at| lost(*at)), "{nth}");
+        assert!(found.count as f64 >= least * all as f64, "{nth}: {} of {all}", found.count);
+    }
+}
+
 /// A surface without outliers, skewed by exp: skewness s of a lognormal of shape `width`.
 fn skewed(surface: &Topography, width: f64) -> Topography {
     let sq = surface.moments().unwrap().profile.m0.sqrt();
