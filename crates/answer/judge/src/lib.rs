@@ -27,6 +27,6 @@ pub use evidence::{
 pub use ranking::nearest_in_each;
 #[cfg(feature = "evidence")]
 pub use recommend::{Comparison, EvidenceAt, Expectation, Recommendation, recommend_among};
-#[cfg(feature = "evidence")]
 pub use recommended::usual_reference;
+#[cfg(feature = "evidence")]
 pub use weighed::{Unlike, Weighed};
