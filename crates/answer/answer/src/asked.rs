@@ -219,12 +219,14 @@ impl Asked {
     ) -> Result<Evaluation, ContactError> {
         let (unit, scene) = (SeparationUnit::Metres, self.contact.scene());
         let sigma = scene.surface.asperity_height_std;
-        // That of a separation which follows from a load: F/|dF/dd| is at most some σ_z, and below
-        // the heights at most the distance from them.
-        let depth = separation.measured_in(unit, Datum::AsperityMean, scene)?.value.min(0.0);
+        // Of a separation that follows from a load: F/|dF/dd| is at most some σ_z, and below the
+        // heights at most the distance from them.
         let error = match given {
             At::Separation(_) => 0.0,
-            _ => self.request.tolerance.relative() * (3.0 * sigma - depth),
+            _ => {
+                let depth = separation.measured_in(unit, Datum::AsperityMean, scene)?.value;
+                self.request.tolerance.relative() * (3.0 * sigma - depth.min(0.0))
+            }
         };
         if let Some(flow) = self.flow.filter(|_| quantity.is_flow_factor()) {
             let film = self.film_ratio(separation)?;

@@ -11,6 +11,9 @@ use asperity_inputs::SceneFile;
 use crate::models::once;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
+/// An area that is pressure over hardness, up to rounding.
+const ROUNDED: f64 = 1.0 + 1e-12;
+
 /// A number of a solution on a nominal area.
 type Number = fn(&Solution, f64) -> Cell;
 /// Columns of every solution.
@@ -215,8 +218,14 @@ impl<'a> Press<'a> {
                 progress.residual
             ))
         };
+        let hardness = self.file.scene.interface.softer_hardness();
+        let (mut least, mut below) = (0, 0);
         self.each(&elements, progress, |index, pressed| match pressed {
             Ok(Pressed { cells, notes, solution }) => {
+                let carries =
+                    |hardness| solution.area <= ROUNDED * solution.mean_pressure / hardness;
+                least += usize::from(hardness.is_some_and(carries));
+                below += usize::from(solution.mean_gap < 0.0);
                 found.extend(notes);
                 lacks.extend(self.quantities().iter().zip(&cells[COLUMNS.len()..]).filter_map(
                     |(quantity, cell)| Some(format!("no {quantity}: {}", cell.reason()?)),
@@ -227,6 +236,13 @@ impl<'a> Press<'a> {
             Err(BemError::Cancelled) => {}
             Err(error) => errors.push(error.to_string()),
         });
+        let of_all = |count: usize| format!("{count} of {} rows", self.given.len());
+        if least > 0 {
+            sheet.result(format!("area_fraction is pressure over hardness in {}, the least that carries the load: the pixels in contact (area_fraction_pixels), corrected for their edges, cover less; refine the grid", of_all(least)));
+        }
+        if below > 0 {
+            sheet.result(format!("mean_gap is below 0 in {} by the imprint of pixels at the hardness; mean_open_gap is the mean gap of the pixels out of contact", of_all(below)));
+        }
         errors.append(&mut lacks);
         once(&errors).iter().for_each(|text| sheet.warn(Code::NoValue, text));
         let grid = format!("{rows} x {columns} pixels");

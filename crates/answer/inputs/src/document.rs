@@ -142,7 +142,9 @@ impl<'a> Document<'a> {
         self.number(path)?.ok_or_else(|| {
             let (section, name) = section_and_name(path);
             let example = Key::find(section, name).map_or("", |key| key.form[1]);
-            self.missing(path, format!("a number ({}), for example {example}", Key::meaning(path)))
+            let example =
+                if example.is_empty() { "" } else { &format!(", for example {example:?}") };
+            self.missing(path, format!("a number ({}){example}", Key::meaning(path)))
         })
     }
 

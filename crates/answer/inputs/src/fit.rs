@@ -100,12 +100,11 @@ impl SceneFile {
         let [first, second] = self.bodies() else { return None };
         let values = [first, second].map(|body| (field.get)(body));
         let bits = values.map(|value| value.map(f64::to_bits));
-        let [one, two] = values.map(|value| value.map_or_else(|| "no value".into(), short));
         (bits[0] != bits[1]).then(|| {
             let unit = unit_of_free(name).map_or(String::new(), |unit| format!(" {unit}"));
-            format!(
-                "the bodies differ in it ({one} and {two}{unit}): free body1_{name} or body2_{name}"
-            )
+            let shown = |value| format!("{}{unit}", short(value));
+            let [one, two] = values.map(|value| value.map_or_else(|| "none".into(), shown));
+            format!("the bodies differ in it ({one} and {two}): free body1_{name} or body2_{name}")
         })
     }
 

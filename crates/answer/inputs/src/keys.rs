@@ -193,7 +193,13 @@ keys! {
             form "Unit of the heights" "um")
         pixel_size("" "or [1.5, 2.0], in that unit or as \"10 nm\", if the file has none"
             form "Pixel size" "1.5 um")
-        channel("" "name or number of a surface in a file of several (.gwy, .sur)")
+        channel("" "name or number of a surface in a file of several (.gwy, .sur, text)")
+        units("" "of lengths and heights of a text, or of x, y and heights, if it states none")
+        columns("" "of a text: \"x,y,z\", \"-,z,-\", the number of the column of heights, \"matrix\" or \"axes\"")
+        skip_lines("" "lines at the beginning of a text that are not read")
+        missing("" "the number that marks missing points; nan if none does")
+        factor("" "from the numbers in the file to heights in their unit")
+        delimiter("" "of the fields of a text, one character")
         estimator("" "or \"summits\"" form "Estimator" "moments|summits")
         level("" "form removed first: \"plane\", \"quadratic\", \"mean\" (default of periodic scans) or \"none\""
             form "Form removed" "plane|quadratic|mean|none")

@@ -37,6 +37,12 @@ pub struct MeasuredKeys {
     pixel_size: Option<PixelSize>,
     max_missing: Option<f64>,
     channel: Option<String>,
+    units: Option<Vec<LengthUnit>>,
+    columns: Option<String>,
+    skip_lines: usize,
+    missing: Option<f64>,
+    factor: Option<f64>,
+    delimiter: Option<char>,
 }
 
 /// `aligned`: whether points of two scans meet, and which.
@@ -78,8 +84,10 @@ impl MeasuredKeys {
     #[must_use]
     pub fn reading(self, options: ReadOptions) -> Self {
         let ReadOptions { unit, pixel_size, max_missing, channel, .. } = options;
-        let pixel_size = pixel_size.map(PixelSize::Rectangle);
-        Self { unit, pixel_size, max_missing: Some(max_missing), channel, ..self }
+        let ReadOptions { units, columns, skip_lines, missing, factor, delimiter, .. } = options;
+        let (pixel_size, max_missing) = (pixel_size.map(PixelSize::Rectangle), Some(max_missing));
+        let read = Self { unit, pixel_size, max_missing, channel, units, columns, ..self };
+        Self { skip_lines, missing, factor, delimiter, ..read }
     }
 
     /// What a file may not say itself.
@@ -90,8 +98,18 @@ impl MeasuredKeys {
             PixelSize::Rectangle(sides) => sides,
         });
         let max_missing = self.max_missing.unwrap_or(ReadOptions::default().max_missing);
-        let (unit, channel) = (self.unit, self.channel.clone());
-        ReadOptions { unit, pixel_size, max_missing, channel, ..ReadOptions::default() }
+        ReadOptions {
+            unit: self.unit,
+            pixel_size,
+            max_missing,
+            channel: self.channel.clone(),
+            units: self.units.clone(),
+            columns: self.columns.clone(),
+            skip_lines: self.skip_lines,
+            missing: self.missing,
+            factor: self.factor,
+            delimiter: self.delimiter,
+        }
     }
 
     /// The scan without outliers, if they are replaced.

@@ -25,7 +25,7 @@ pub fn template_on(surface: Option<&Surface>, keys: &[(&str, Value)]) -> String 
         }
         if let Some((_, value)) = keys.iter().find(|key| key.0 == name) {
             return Some(match value {
-                Value::Float(small) if *small < 1e-3 => format!("{name} = {small:e}"),
+                Value::Float(small) if small.abs() < 1e-3 => format!("{name} = {small:e}"),
                 value => format!("{name} = {value}"),
             });
         }

@@ -56,7 +56,9 @@ impl Topography {
 
     /// A scan from a file in one of the formats that need no other package; see ``asperity.read``.
     #[staticmethod]
-    #[pyo3(signature = (path, unit=None, pixel_size=None, max_missing=0.1, channel=None))]
+    #[pyo3(signature = (path, unit=None, pixel_size=None, max_missing=0.1, channel=None, *,
+        units=None, columns=None, skip_lines=0, missing=None, factor=None, delimiter=None))]
+    #[allow(clippy::too_many_arguments, reason = "keywords of Python")]
     fn read(
         py: Python<'_>,
         path: PathBuf,
@@ -64,9 +66,28 @@ impl Topography {
         pixel_size: Option<Spacing>,
         max_missing: f64,
         channel: Option<String>,
+        units: Option<Vec<String>>,
+        columns: Option<String>,
+        skip_lines: usize,
+        missing: Option<f64>,
+        factor: Option<f64>,
+        delimiter: Option<char>,
     ) -> PyResult<Self> {
         let (unit, pixel_size) = (unit.map(unit_of).transpose()?, pixel_size.map(|size| size.0));
-        let options = ReadOptions { unit, pixel_size, max_missing, channel, ..Default::default() };
+        let units = units.map(|units| units.iter().map(|unit| unit_of(unit)).collect());
+        let units = units.transpose()?;
+        let options = ReadOptions {
+            unit,
+            pixel_size,
+            max_missing,
+            channel,
+            units,
+            columns,
+            skip_lines,
+            missing,
+            factor,
+            delimiter,
+        };
         found(&path)?;
         let read = py.detach(|| asperity_topography::read(&path, &options));
         Ok(Self(read.map_err(unreadable)?))

@@ -48,6 +48,8 @@ use solve::State;
 
 /// The share of the peak pressure at the edge of the grid.
 const EDGE: f64 = 1e-9;
+/// The most by which the grid is widened where the pressure at its edge is larger.
+const WIDEST: f64 = 6.0;
 /// The largest number of points along a side.
 const MOST: usize = 2048;
 
@@ -120,9 +122,9 @@ pub struct Curved {
     tolerance: f64,
 }
 
-fn refused<T>(what: &'static str) -> Result<T, ContactError> {
+fn refused<T>(reason: &'static str) -> Result<T, ContactError> {
     let model = "a contact of curved bodies".into();
-    Err(ContactError::Unsupported { model, what: what.into() })
+    Err(ContactError::Refused { model, reason: reason.into() })
 }
 
 fn above_zero(field: &'static str, value: f64) -> Result<f64, ContactError> {
@@ -165,7 +167,8 @@ impl Curved {
     /// The contact at a load \[N\].
     ///
     /// # Errors
-    /// A load that is not above 0, and models whose pressure rises with the separation.
+    /// A load that is not above 0, a model whose pressure rises with the separation or does not
+    /// vanish beside the patch, and a search that does not converge.
     pub fn at_load(&self, load: f64) -> Result<Solution<'_>, ContactError> {
         above_zero("load", load)?;
         let hertz = Hertz::new(&self.shape, self.layer.modulus, load);
@@ -173,10 +176,13 @@ impl Curved {
         loop {
             let state = self.solve(&hertz, load, wider)?;
             let edge = state.edge() / state.peak();
-            if edge <= 10.0 * EDGE || wider > 4.0 {
+            if edge <= 10.0 * EDGE {
                 return Ok(Solution::new(self, hertz, load, state));
             }
             wider *= 1.3;
+            if wider > WIDEST {
+                return refused("the pressure does not vanish beside the patch");
+            }
         }
     }
 
@@ -263,7 +269,7 @@ impl Curved {
             let mut found = self.at_load(load)?;
             let missing = approach - found.approach().unwrap_or(f64::NAN);
             // Newton's method for the logarithm of the load, which never leaves it positive.
-            let change = found.tangent() * missing / load;
+            let change = found.tangent()? * missing / load;
             if change.abs() < 0.01 * self.tolerance {
                 return Ok(found);
             }

@@ -169,9 +169,12 @@ impl<'c> Solution<'c> {
 
     /// dF over d(approach) in further loading \[N/m\]; of a line with its reference length, or that
     /// of the grid without one.
-    pub fn tangent(&mut self) -> f64 {
-        let own = self.state.stiffness(self.of.tolerance);
-        self.with_reference(own)
+    ///
+    /// # Errors
+    /// [`ContactError::Refused`] where its equations do not converge.
+    pub fn tangent(&mut self) -> Result<f64, ContactError> {
+        let own = self.state.stiffness(self.of.tolerance)?;
+        Ok(self.with_reference(own))
     }
 
     /// From a stiffness with the reference length of the grid, of a line per length.
@@ -193,6 +196,6 @@ impl<'c> Solution<'c> {
         let loading = std::mem::replace(&mut self.state.slopes, values);
         let own = self.state.stiffness(self.of.tolerance);
         self.state.slopes = loading;
-        Ok(self.with_reference(own))
+        Ok(self.with_reference(own?))
     }
 }

@@ -107,10 +107,10 @@ impl State {
     }
 
     /// dF/d(-d₀), of a line per length, with the slopes as they are.
-    pub(crate) fn stiffness(&mut self, tolerance: f64) -> f64 {
+    pub(crate) fn stiffness(&mut self, tolerance: f64) -> Result<f64, ContactError> {
         let ones = vec![1.0; self.slopes.len()];
-        let moved = self.linear(&ones, 0.01 * tolerance);
-        self.weight * dot(&self.slopes, &moved)
+        let moved = self.linear(&ones, 0.01 * tolerance)?;
+        Ok(self.weight * dot(&self.slopes, &moved))
     }
 
     /// Pressures and slopes at the separations.
@@ -136,9 +136,9 @@ impl State {
                 return refused("the pressure of the model rises with the separation here");
             }
             let against: Vec<f64> = residual.iter().map(|r| -r).collect();
-            let mut step = self.linear(&against, tolerance);
+            let mut step = self.linear(&against, tolerance)?;
             // As much of a shift of all as carries the load.
-            let unit = self.linear(&vec![1.0; step.len()], tolerance);
+            let unit = self.linear(&vec![1.0; step.len()], tolerance)?;
             let missing = load - self.force() + self.weight * dot(&self.slopes, &step);
             let shift = -missing / (self.weight * dot(&self.slopes, &unit));
             step.iter_mut().zip(&unit).for_each(|(step, unit)| *step += shift * unit);
@@ -161,7 +161,7 @@ impl State {
 
     /// Solves (1 + M W) v = right, with W the slopes: by conjugate gradients on
     /// (1 + √W M √W) z = √W right, v = right - M √W z.
-    pub(crate) fn linear(&mut self, right: &[f64], tolerance: f64) -> Vec<f64> {
+    fn linear(&mut self, right: &[f64], tolerance: f64) -> Result<Vec<f64>, ContactError> {
         let root: Vec<f64> = self.slopes.iter().map(|slope| slope.sqrt()).collect();
         let times = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).collect::<Vec<_>>();
         let mut rest = times(&root, right);
@@ -185,6 +185,10 @@ impl State {
             square = next;
             direction.iter_mut().zip(&rest).for_each(|(d, r)| *d = r + ratio * *d);
         }
-        right.iter().zip(&deflected).map(|(right, deflected)| right - deflected).collect()
+        // Rounding may end the fall of the rest above the tolerance, but far below this.
+        if square > first * (tolerance * tolerance).max(1e-12) {
+            return refused("the equations of the separations did not converge");
+        }
+        Ok(right.iter().zip(&deflected).map(|(right, deflected)| right - deflected).collect())
     }
 }

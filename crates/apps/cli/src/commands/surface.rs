@@ -9,8 +9,8 @@ use asperity_answer::{Cell, Sheet};
 use asperity_inputs::MeasuredKeys;
 use asperity_plot::draw_surface;
 use asperity_topography::{
-    Alignment, Distance, Estimator, Glance, LengthUnit, Level, ReadOptions, Reported, Statistics,
-    Topography, TopographyError, report,
+    Alignment, Distance, Estimator, Glance, HeaderLine, LengthUnit, Level, ReadOptions, Reported,
+    Statistics, Topography, TopographyError, report,
 };
 use clap::Args;
 use clap::error::ErrorKind;
@@ -47,6 +47,8 @@ pub struct Surface {
     /// first one with heights]
     #[arg(long, value_name = "NAME")]
     channel: Option<String>,
+    #[command(flatten)]
+    text: TextArgs,
     /// Asperities from: moments (spectral moments of profiles, after McCool) or summits (points
     /// above their eight neighbours)
     #[arg(long, value_name = "NAME", default_value = "moments")]
@@ -92,6 +94,33 @@ pub struct Surface {
     scales: Scales,
 }
 
+/// How a text is read that does not state it.
+#[derive(Debug, Clone, Args)]
+struct TextArgs {
+    /// Units of a text that states none: of lengths and heights, or of x, y and heights: mm,um
+    #[arg(long, value_name = "UNITS", value_delimiter = ',')]
+    units: Option<Vec<LengthUnit>>,
+    /// Columns of a text: x,y,z or -,z,- by name, the number of the column of heights, matrix, or
+    /// axes (the first row or column are positions)
+    #[arg(long, allow_hyphen_values = true)]
+    columns: Option<String>,
+    /// Lines at the beginning of a text that are not read
+    #[arg(long, value_name = "COUNT", default_value_t)]
+    skip_lines: usize,
+    /// The number that marks missing points; nan if none does
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    missing: Option<f64>,
+    /// From the numbers in the file to heights in their unit
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    factor: Option<f64>,
+    /// Separator of the fields of a text
+    #[arg(long, value_name = "CHARACTER")]
+    delimiter: Option<char>,
+    /// Only list what the header of a text says, and how it is understood
+    #[arg(long)]
+    header: bool,
+}
+
 fn pixel_size(text: &str) -> Result<[Distance; 2], String> {
     sizes(text, |size| size.parse().map_err(|error: TopographyError| error.to_string()))
 }
@@ -110,6 +139,9 @@ impl Surface {
         self.check();
         self.scene.as_deref().map_or(Ok(()), output::refuse_to_replace)?;
         output::show(&self.level.and_then(|level| level.tilts(self.periodic)));
+        if self.text.header {
+            return self.header();
+        }
         let (working, keys) = (progress("surface"), self.keys());
         if self.scales.is_requested() {
             let path = self.files.first().context("a file was required")?;
@@ -179,6 +211,23 @@ impl Surface {
         self.output.write_beside(picture, || output.write(&table))
     }
 
+    /// The lines of the headers of the files.
+    fn header(&self) -> Result<()> {
+        let mut table = Sheet::new(&["line", "text", "understood_as"]);
+        for path in &self.files {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            let bytes = std::fs::read(path).with_context(|| path.display().to_string())?;
+            let lines = asperity_topography::read_header(&name, &bytes, &self.keys().options());
+            for HeaderLine { line, text, meaning, .. } in lines.map_err(with_option)? {
+                table.add(
+                    &[&line.to_string(), &text, meaning.as_deref().unwrap_or_default()],
+                    [Cell::BLANK; 0],
+                );
+            }
+        }
+        self.output.output.write(&table)
+    }
+
     /// Refuses options that exclude each other.
     fn check(&self) {
         let two = self.files.len() > 1;
@@ -206,9 +255,19 @@ impl Surface {
     /// The options as keys of a scene.
     fn keys(&self) -> MeasuredKeys {
         let Self { unit, pixel_size, max_missing, .. } = *self;
-        let channel = self.channel.clone();
-        let options =
-            ReadOptions { unit, pixel_size, max_missing, channel, ..ReadOptions::default() };
+        let (channel, text) = (self.channel.clone(), self.text.clone());
+        let options = ReadOptions {
+            unit,
+            pixel_size,
+            max_missing,
+            channel,
+            units: text.units,
+            columns: text.columns,
+            skip_lines: text.skip_lines,
+            missing: text.missing,
+            factor: text.factor,
+            delimiter: text.delimiter,
+        };
         let mut keys = MeasuredKeys::default().reading(options);
         keys.estimator = self.estimator;
         keys.level = self.level;
@@ -256,11 +315,21 @@ impl Surface {
         let heights = heights.map(|file| toml::Table::from_iter([("file".into(), file.into())]));
         let usual = ReadOptions::default().max_missing;
         let max_missing = Some(self.max_missing).filter(|share| share.total_cmp(&usual).is_ne());
+        let texts = |units: &[LengthUnit]| {
+            Value::from(units.iter().map(LengthUnit::to_string).collect::<Vec<_>>())
+        };
+        let lines = i64::try_from(self.text.skip_lines).ok().filter(|lines| *lines > 0);
         let true_where = |asked: bool| asked.then_some(Value::from(true));
         let given = [
             ("unit", self.unit.map(|unit| unit.to_string().into())),
             ("pixel_size", self.pixel_size.map(pixel_size)),
             ("channel", self.channel.clone().map(Value::from)),
+            ("units", self.text.units.as_ref().map(|units| texts(units))),
+            ("columns", self.text.columns.clone().map(Value::from)),
+            ("skip_lines", lines.map(Value::from)),
+            ("missing", self.text.missing.map(Value::from)),
+            ("factor", self.text.factor.map(Value::from)),
+            ("delimiter", self.text.delimiter.map(|one| one.to_string().into())),
             ("estimator", Some(self.estimator.to_string().into())),
             ("level", self.level.map(|level| level.to_string().into())),
             ("filter", self.filter.map(Value::from)),
@@ -290,9 +359,10 @@ fn with_option(error: TopographyError) -> anyhow::Error {
         TopographyError::UnitMissing => "--unit",
         TopographyError::PixelSizeMissing => "--pixel-size",
         TopographyError::TooManyMissing { .. } => "--max-missing",
+        TopographyError::Undecided { option, .. } => option,
         _ => return error.into(),
     };
-    anyhow!("{error} ({option})")
+    anyhow!("{error} (--{})", option.trim_start_matches('-').replace('_', "-"))
 }
 
 /// The path of a file in a scene file at `scene`: relative where the file is in the folder of the

@@ -122,3 +122,28 @@ fn heights_in_a_wrong_unit_and_a_few_far_points_are_told() {
     let blank = bench.run("surface waves.txt --unit um --pixel-size 2 --scales 1e-12,2e-12");
     assert_eq!((blank.code, &*blank.out), (Some(1), ""), "{}", blank.messages);
 }
+
+#[test]
+fn a_text_is_read_by_the_options_that_its_errors_name() {
+    let bench = Bench::new();
+    // 12 x 10 points with an index before the rows, a fifth of them lost.
+    let height = |k: usize| if k % 5 == 0 { -9999.0 } else { ((7 * k) % 31) as f64 };
+    let row = |j: usize| {
+        let heights = (0..12).map(|i| height(12 * j + i).to_string());
+        format!("{j}\t{}\n", heights.collect::<Vec<_>>().join("\t"))
+    };
+    let rows: String = (0..10).map(row).collect();
+    bench.write("a.txt", &format!("# Width: 12 um\n# Height: 10 um\n{rows}"));
+    let run = bench.run("surface a.txt --unit nm");
+    assert_eq!(run.code, Some(1));
+    assert!(run.messages.contains("--columns"), "{}", run.messages);
+    let run = bench.run("surface a.txt --unit nm --columns axes");
+    assert!(run.messages.contains("--missing"), "{}", run.messages);
+    let given = "--unit nm --columns axes --missing -9999 --max-missing 0.3";
+    let table = bench.data(&format!("surface a.txt {given} --format csv --scene a.toml"));
+    assert!(table.contains("\nmissing_share,0.2,"), "{table}");
+    let scene = bench.read("a.toml");
+    assert!(scene.contains("columns = \"axes\"") && scene.contains("missing = -9999"), "{scene}");
+    let header = bench.data("surface a.txt --header --format csv");
+    assert!(header.contains("1,# Width: 12 um,width"), "{header}");
+}

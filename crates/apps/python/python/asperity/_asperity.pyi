@@ -161,6 +161,13 @@ class Topography:
         pixel_size: _Spacing | None = None,
         max_missing: _Float = 0.1,
         channel: str | None = None,
+        *,
+        units: Sequence[str] | None = None,
+        columns: str | None = None,
+        skip_lines: int = 0,
+        missing: _Float | None = None,
+        factor: _Float | None = None,
+        delimiter: str | None = None,
     ) -> Topography: ...
     @staticmethod
     def from_profile(

@@ -30,6 +30,7 @@ def read(
     pixel_size: float | str | tuple[float | str, float | str] | None = None,
     max_missing: float = 0.1,
     channel: str | None = None,
+    **text: Any,
 ) -> Topography:
     """A scan from a file, or a surface of SurfaceTopography or surfalize as a scan.
 
@@ -39,13 +40,17 @@ def read(
 
     ``unit`` and ``pixel_size``, in that unit or as "10 nm", are required where the source has none. A
     larger share of missing points than ``max_missing`` is an error; ``Topography.fill`` fills them.
-    ``channel`` is the name or number of a surface in a file of several. A line scan with points at
+    ``channel`` is the name or number of a surface in a file of several. What a ``text`` does not state
+    is given by ``units=["mm", "um"]`` (of lengths and heights, or of x, y and heights),
+    ``columns="x,y,z"`` (or "-,z,-", the number of the column of heights, "matrix", "axes"),
+    ``skip_lines``, ``missing`` (the number of missing points), ``factor`` of the heights and
+    ``delimiter``. A line scan with points at
     unequal distances is interpolated linearly.
     """
     if isinstance(surface, str | PathLike):
         path = fspath(surface)
         try:
-            return Topography.read(path, unit, pixel_size, max_missing, channel)
+            return Topography.read(path, unit, pixel_size, max_missing, channel, **text)
         except UnsupportedFormat as error:
             return _by_surface_topography(path, unit, channel, error)
     home = type(surface).__module__.partition(".")[0]

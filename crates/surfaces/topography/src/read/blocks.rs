@@ -39,7 +39,9 @@ pub(super) fn blocks(bytes: &[u8], options: &ReadOptions) -> Result<Vec<Block>, 
     // Keys of lines without a key, which follow a word.
     let mut keys = vec![];
     let mut blank = false;
-    let detect = |line: &[u8]| options.delimiter.map_or_else(|| Delimiter::detect(line), Delimiter);
+    let detect = |line: &[u8]| {
+        options.delimiter.map_or_else(|| Delimiter::detect(line), |given| Delimiter(given as u8))
+    };
     let lines = bytes.split(|byte| *byte == b'\n').enumerate().skip(options.skip_lines);
     for (number, line) in lines.map(|(index, line)| (index + 1, line)) {
         let line = line.strip_suffix(b"\r").unwrap_or(line);

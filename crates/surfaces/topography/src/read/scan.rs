@@ -44,7 +44,7 @@ pub struct ReadOptions {
     pub factor: Option<f64>,
     /// The separator of the fields of a text, in ASCII; a space stands for any number of blanks. By
     /// default that of the first row.
-    pub delimiter: Option<u8>,
+    pub delimiter: Option<char>,
 }
 
 impl ReadOptions {
@@ -60,6 +60,10 @@ impl ReadOptions {
         }
         if let Some(factor) = self.factor.filter(|factor| *factor == 0.0 || !factor.is_finite()) {
             return Err(out_of_range("factor", factor, "a finite number other than 0"));
+        }
+        if let Some(delimiter) = self.delimiter.filter(|delimiter| !delimiter.is_ascii()) {
+            let found = format!("{delimiter:?}");
+            return Err(refuse("delimiter", found, "an ASCII character, for example \";\","));
         }
         match self.units.as_ref().map(Vec::len) {
             None | Some(2 | 3) => Ok(()),
@@ -157,7 +161,11 @@ impl Scan {
     }
 
     fn unit(&self, options: &ReadOptions) -> Result<LengthUnit, TopographyError> {
-        let given = agree("unit", options.unit, options.units.as_ref().and(options.height_unit()))?;
+        let given = agree(
+            "unit",
+            options.unit,
+            options.units.as_ref().and_then(|units| units.last().copied()),
+        )?;
         agree("unit", given, self.unit)?.ok_or(TopographyError::UnitMissing)
     }
 

@@ -88,7 +88,7 @@ pub fn options(text: &str) -> ReadOptions {
             "missing" => options.missing = Some(value.parse().unwrap()),
             "factor" => options.factor = Some(value.parse().unwrap()),
             "channel" => options.channel = Some(value.into()),
-            "delimiter" => options.delimiter = value.bytes().next(),
+            "delimiter" => options.delimiter = value.chars().next(),
             _ => panic!("{key}"),
         }
     }
