@@ -142,8 +142,11 @@ impl<'a> Document<'a> {
         self.number(path)?.ok_or_else(|| {
             let (section, name) = section_and_name(path);
             let example = Key::find(section, name).map_or("", |key| key.form[1]);
-            let example =
-                if example.is_empty() { "" } else { &format!(", for example {example:?}") };
+            let example = match example.parse::<f64>() {
+                _ if example.is_empty() => String::new(),
+                Ok(_) => format!(", for example {example}"),
+                Err(_) => format!(", for example {example:?}"),
+            };
             self.missing(path, format!("a number ({}){example}", Key::meaning(path)))
         })
     }
