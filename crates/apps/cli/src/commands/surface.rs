@@ -220,7 +220,7 @@ impl Surface {
             let lines = asperity_topography::read_header(&name, &bytes, &self.keys().options());
             for HeaderLine { line, text, meaning, .. } in lines.map_err(with_option)? {
                 table.add(
-                    &[&line.to_string(), &text, meaning.as_deref().unwrap_or_default()],
+                    &[&line.to_string(), &text, meaning.unwrap_or_default()],
                     [Cell::BLANK; 0],
                 );
             }
