@@ -127,7 +127,7 @@ fn heights_in_a_wrong_unit_and_a_few_far_points_are_told() {
 fn a_text_is_read_by_the_options_that_its_errors_name() {
     let bench = Bench::new();
     // 12 x 10 points with an index before the rows, a fifth of them lost.
-    let height = |k: usize| if k % 5 == 0 { -9999.0 } else { ((7 * k) % 31) as f64 };
+    let height = |k: usize| if k.is_multiple_of(5) { -9999.0 } else { ((7 * k) % 31) as f64 };
     let row = |j: usize| {
         let heights = (0..12).map(|i| height(12 * j + i).to_string());
         format!("{j}\t{}\n", heights.collect::<Vec<_>>().join("\t"))
