@@ -391,7 +391,7 @@ def test_models_have_citations() -> None:
 )
 def test_options_of_other_models_are_refused(model: str, option: dict[str, Any]) -> None:
     (name,) = option
-    with pytest.raises(ValueError, match=f"{name}: does not change `{model}`"):
+    with pytest.raises(ValueError, match=f"{name}: does not change {model}"):
         asperity.model(model, **option)
 
 

@@ -174,7 +174,7 @@ impl Evidence {
         let mut place = Coordinates::of_scene(scene, shape, pressure)?;
         if let Some(few) = contacts.filter(|contacts| *contacts < 1.0) {
             let reason = format!("less than one asperity touches ({})", short(few));
-            return Err(ContactError::NoEvidence { property: "contacts", reason });
+            return Err(ContactError::NoEvidence { property: "single contact", reason });
         }
         place.contacts = contacts.unwrap_or(f64::INFINITY);
         self.check(&place)?;
