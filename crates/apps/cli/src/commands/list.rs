@@ -231,7 +231,9 @@ fn findings(word: &str, narrow: bool) -> Result<Sheet> {
     let near = || nearest_hint(nearest_name(word, Code::ALL.iter().map(|code| code.name())));
     ensure!(!found.is_empty(), "no finding has the code {word:?}{}", near());
     for code in found {
-        let (name, [meaning, harmless, remedy]) = (code.name(), code.texts());
+        // Markdown of the guide.
+        let [meaning, harmless, remedy] = code.texts().map(|text| text.replace('`', ""));
+        let (name, meaning) = (code.name(), &*meaning);
         if narrow {
             sheet.under(&[&["code", "meaning"]]);
             for row in [
@@ -243,7 +245,7 @@ fn findings(word: &str, narrow: bool) -> Result<Sheet> {
             }
         } else {
             sheet.under(&[&["code", "meaning", "harmless", "to_do"]]);
-            sheet.add(&[name, meaning, harmless, remedy], [Cell::BLANK; 0]);
+            sheet.add(&[name, meaning, &harmless, &remedy], [Cell::BLANK; 0]);
         }
     }
     Ok(sheet)
