@@ -205,6 +205,9 @@ pub(super) fn is_code(height: f64, code: f64) -> bool {
 const CODED: f64 = 0.01;
 /// The fewest heights among which a code is looked for.
 const FEWEST: usize = 50;
+/// The distance of a code from all others, over the spread of these; and the distance from which
+/// it is one although others repeat as well, such as -9999 among nanometres.
+const APART: [f64; 2] = [0.5, 30.0];
 
 /// Refuses heights whose lowest or highest value is exactly that of many points, apart from those
 /// of all others: it may mark missing points.
@@ -225,7 +228,10 @@ fn refuse_code(heights: &[f64]) -> Result<(), TopographyError> {
         let repeated = rest.chunk_by(same).any(|same| 3 * same.len() > count);
         let at = |share: f64| rest[(share * (rest.len() - 1) as f64) as usize];
         let gap = (end - at(0.0)).abs().min((end - at(1.0)).abs());
-        if !repeated && gap > 0.5 * (at(0.84) - at(0.16)) {
+        let spread = at(0.84) - at(0.16);
+        let [apart, far] = APART.map(|times| gap > times * spread);
+        // Steps have two heights and no spread.
+        if far && spread > 0.0 && count > 1 || apart && !repeated {
             let percent = 100.0 * count as f64 / n as f64;
             let found = format!("{end:?} at {percent:.2} % of the points, apart from all others");
             let choice = format!("{end:?} if it marks missing points, nan if it is a height");
@@ -375,5 +381,14 @@ mod tests {
         };
         assert!(some(0.25).is_ok());
         assert!(matches!(some(0.1), Err(TopographyError::TooManyMissing { share: 0.25, .. })));
+    }
+
+    #[test]
+    fn a_few_points_far_from_all_others_are_a_code_though_others_repeat() {
+        let heights = |lost: f64| -> Vec<f64> {
+            (0..168_u32).map(|k| if k % 34 == 5 { lost } else { f64::from(k * 7 % 40) }).collect()
+        };
+        assert!(refuse_code(&heights(-9999.0)).is_err());
+        assert!(refuse_code(&heights(12.0)).is_ok() && refuse_code(&heights(60.0)).is_ok());
     }
 }
