@@ -221,7 +221,7 @@ impl Scans {
         SceneError::Refused { at: document.place(self.at(document)), reason }
     }
 
-    /// What is to be said about the scans of a scene with these statistics.
+    /// The findings of the scans of a scene with these statistics.
     pub(crate) fn notes(&self, document: &Document<'_>, together: &Statistics) -> Vec<Finding> {
         let from = |at: &str| {
             let at = document.place(at).to_string();

@@ -177,7 +177,7 @@ pub(crate) fn refused(
     document.refused(&section)(source)
 }
 
-/// What is to be said about the numbers of the surfaces.
+/// The findings of the numbers of the surfaces.
 pub(crate) fn notes(document: &Document<'_>, spec: &SceneSpec, scene: &Scene) -> Vec<Finding> {
     let mut notes = vec![];
     let place = |path: &str| document.place(path).to_string();

@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// What to do about a finding, for which the program has a command, Python a function and the page
-/// a button; each front end has its own words. [`Display`](fmt::Display) has those of every reader.
+/// a button; each front end words it. [`Display`](fmt::Display) has words for every reader.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Advice {
     /// Use these models.
