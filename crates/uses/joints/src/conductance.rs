@@ -65,8 +65,8 @@ pub struct CorrelationValue {
     /// The base of the power law: p/H or √2 p/(E m).
     pub relative_pressure: f64,
     /// Whether the power law is valid: within 1.6 % (plastic) or 2.1 % (elastic) of the theory it
-    /// is fitted to and, [for a scene](Correlation::at), with contacts of
-    /// [its kind](Correlation::foreign).
+    /// is fitted to and, [for a scene](crate::Correlation::at), with contacts of
+    /// [its kind](crate::Correlation::foreign).
     pub holds: bool,
 }
 
