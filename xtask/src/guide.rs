@@ -88,9 +88,9 @@ fn chapter(line: &str) -> Option<(&str, &str, Vec<&str>)> {
 /// What a part of a chapter shows: a markdown file, the comment at the head of a Rust file, a file
 /// `as code`, or a `list of` the code.
 fn markdown(part: &str) -> Result<String> {
-    if part == "crates/answer/inputs/src/template.toml as code" {
+    if part == "crates/answer/scene/src/template.toml as code" {
         // Its comments come from the table of inputs.
-        return Ok(format!("```toml\n{}\n```\n", asperity_inputs::template()));
+        return Ok(format!("```toml\n{}\n```\n", asperity_scene::template()));
     }
     if let Some(path) = part.strip_suffix(" as code") {
         let code = read(&root().join(path))?;

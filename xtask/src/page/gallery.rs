@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 use asperity::Scene;
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 use asperity_web::Desk;
 use serde_json::{Value, json};
 

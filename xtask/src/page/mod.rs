@@ -22,7 +22,7 @@ const SIMD: &str = "target.wasm32-unknown-unknown.rustflags = ['-Ctarget-feature
 pub fn write(keep_module: bool) -> Result<PathBuf> {
     let folder = target_folder().join("page");
     copy(&root().join("crates/apps/web/www"), &folder)?;
-    copy(&root().join("crates/answer/inputs/examples"), &folder.join("examples"))?;
+    copy(&root().join("crates/answer/scene/examples"), &folder.join("examples"))?;
     gallery::write(&folder)?;
     if !keep_module {
         build(&folder)?;

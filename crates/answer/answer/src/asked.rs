@@ -9,7 +9,7 @@ use asperity::{
     Finding, Findings, Model, Quantity, Request, Separation, SeparationUnit, Severity,
     compile_compared, compile_known, short,
 };
-use asperity_inputs::{Gas, SceneFile};
+use asperity_scene::{Gas, SceneFile};
 
 use crate::AnswerError;
 use crate::models::grouped;

@@ -6,7 +6,7 @@ use asperity::bem::{
     Bem, BemError, BoundaryElements, Continuation, Direction, Leak, LoadCase, Progress, Solution,
 };
 use asperity::{Code, ContactError, ContactModel, Finding, Findings, Quantity, Request};
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 
 use crate::models::once;
 use crate::{AnswerError, Cell, Sheet, Watch};

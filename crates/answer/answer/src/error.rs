@@ -2,7 +2,7 @@
 
 use asperity::ContactError;
 use asperity::bem::BemError;
-use asperity_inputs::SceneError;
+use asperity_scene::SceneError;
 use thiserror::Error;
 
 /// Why there is no answer.

@@ -2,7 +2,7 @@
 
 use asperity::recommended::JKR;
 use asperity::{At, Code, ContactError, Described, Evaluation, Findings, Model, Quantity, Request};
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 
 use crate::asked::{Asked, Line};
 use crate::blanks::{Blanks, kind};

@@ -6,7 +6,7 @@ use asperity::{
     Code, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity,
     usual_reference,
 };
-use asperity_inputs::{LeftOut, SceneFile};
+use asperity_scene::{LeftOut, SceneFile};
 
 use crate::{AnswerError, Sheet};
 

@@ -5,7 +5,7 @@ use asperity::{
     Code, ContactModel, Described, Model, Quantity, Request, Scene, SeparationUnit, Tolerance,
     short,
 };
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 
 use crate::models::note_adhesion;
 use crate::number::rounded;

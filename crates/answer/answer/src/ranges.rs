@@ -1,7 +1,7 @@
 //! Answers on a surface that is known within ranges: every number with its lower and upper end.
 
 use asperity::{Code, Quantity, map_runs};
-use asperity_inputs::{AT_AN_END, SceneFile, Unknown, worst_at_ends};
+use asperity_scene::{AT_AN_END, SceneFile, Unknown, worst_at_ends};
 
 use crate::inquiry::{ENDS, column_of_end};
 use crate::{AnswerError, Cell, Sheet};

@@ -4,7 +4,7 @@
 use asperity::{
     Asperities, At, Code, Compared, Comparison, Model, Quantity, Recommendation, Request, Tolerance,
 };
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 
 use crate::inquiry::column_beside;
 use crate::models::{by_reason, models, one_model};

@@ -7,7 +7,7 @@ use asperity::{
     At, Code, ContactError, Finding, Findings, Model, Scene, Separation, SeparationUnit, Severity,
     Tolerance,
 };
-use asperity_inputs::{SceneFile, mistaken_unit};
+use asperity_scene::{SceneFile, mistaken_unit};
 
 use crate::models::grouped;
 use crate::sheet::warning;

@@ -13,7 +13,7 @@ use asperity::{
 use asperity_answer::{
     ConductanceAgainst, Export, Exported, Sheet, Silent, Subject, TableFormat, UnitSystem,
 };
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 
 /// Printed digits of ccx, seven, with which overclosures are differences.
 const PRINTED: f64 = 5e-6;

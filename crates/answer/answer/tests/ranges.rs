@@ -5,7 +5,7 @@ use std::path::Path;
 
 use asperity::{At, Quantity, Request, Separation};
 use asperity_answer::{AnswerError, Inquiry, Sheet, Silent, models, with_ranges};
-use asperity_inputs::{SceneFile, parse};
+use asperity_scene::{SceneFile, parse};
 
 const PRESSURE: f64 = 5e6;
 

@@ -9,7 +9,7 @@ pub use asperity_answer::ALL_MODELS;
 use asperity_answer::{
     AnswerError, Sheet, Subject, one_model, one_or_usual, scene_findings, use_asperities,
 };
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 
 use crate::input::destinations;
 use crate::output::{self, print_results, show};
@@ -27,7 +27,7 @@ pub struct LoadedScene {
 impl LoadedScene {
     /// Reads the file, and reports nothing.
     pub fn open(path: &Path) -> Result<Self> {
-        Self { file: asperity_inputs::load(path)?, name: path.display().to_string() }.kept()
+        Self { file: asperity_scene::load(path)?, name: path.display().to_string() }.kept()
     }
 
     /// Reads the file for these models, and reports what is unusual; on its asperities only if one
@@ -51,7 +51,7 @@ impl LoadedScene {
     /// declared periodic whatever the file says; reports what is unusual, on its asperities if they
     /// are used.
     pub fn load_scan(path: &Path, given: BemOptions, asperities: bool) -> Result<Self> {
-        let file = asperity_inputs::load_scan(path, is_periodic(given))?.pressing(given);
+        let file = asperity_scene::load_scan(path, is_periodic(given))?.pressing(given);
         let scene = Self { file, name: path.display().to_string() }.kept()?;
         scene.report_scene(asperities);
         Ok(scene)

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use asperity::fit::{DataColumn, FitError, MeasuredTable, rank};
 use asperity::{Code, Finding, Severity};
 use asperity_answer::Watch;
-use asperity_inputs::{Free, SceneError, read_measurements};
+use asperity_scene::{Free, SceneError, read_measurements};
 use pyo3::prelude::*;
 
 use crate::ask::long::run_interruptible;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use asperity::{Asperity, Body, ContactError, Interface, Plausible, ProfileMoments, Surface};
-use asperity_inputs::{BODY, Field, INTERFACE, Key, Roughness, SURFACE, Way};
+use asperity_scene::{BODY, Field, INTERFACE, Key, Roughness, SURFACE, Way};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
@@ -224,7 +224,7 @@ pub(crate) fn interface_of<'py>(
     let (py, names) = (bodies.py(), bodies.keys().extract::<Vec<String>>()?);
     let read = names.iter().zip(bodies.values()).map(|(name, body)| instance(name, &body));
     let bodies = read.collect::<PyResult<Vec<Body>>>()?;
-    let mut found = asperity_inputs::interface_of(&bodies).map_err(refused)?;
+    let mut found = asperity_scene::interface_of(&bodies).map_err(refused)?;
     // Findings of the interface appear in its scene.
     if found.findings().is_empty() {
         for (name, body) in names.iter().zip(&bodies) {
@@ -284,7 +284,7 @@ pub(crate) fn derived(record: &Object<'_>, name: &str) -> PyResult<f64> {
 #[pyfunction]
 pub(crate) fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     let all = PyDict::new(py);
-    for material in asperity_inputs::materials() {
+    for material in asperity_scene::materials() {
         let body = record(py, &material.body)?;
         all.set_item(&material.id, (&material.name, body, &material.source))?;
     }
@@ -294,7 +294,7 @@ pub(crate) fn materials(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
 /// The body of a material.
 #[pyfunction]
 pub(crate) fn material<'py>(py: Python<'py>, name: &str) -> PyResult<Object<'py>> {
-    let all = asperity_inputs::materials();
+    let all = asperity_scene::materials();
     let found = all.iter().find(|material| material.id == name).ok_or_else(|| {
         let near = asperity::nearest_name(name, all.iter().map(|known| &*known.id));
         let near = asperity::nearest_hint(near);

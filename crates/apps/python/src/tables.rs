@@ -4,7 +4,7 @@ use asperity::Severity;
 use asperity_answer::{
     Cell, ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
 };
-use asperity_inputs as scene;
+use asperity_scene as scene;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

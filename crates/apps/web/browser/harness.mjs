@@ -13,7 +13,7 @@ export const program = process.env.ASPERITY;
 export const field = (path) => `[data-path="${path}"]`;
 export const READY = "return document.documentElement.dataset.state === 'ready'";
 export const SETTLED = "return ['ready', 'failed'].includes(document.documentElement.dataset.state)";
-export const example = (name) => readFileSync(join(root, `crates/answer/inputs/examples/${name}.toml`), "utf8");
+export const example = (name) => readFileSync(join(root, `crates/answer/scene/examples/${name}.toml`), "utf8");
 export const EXAMPLES = ["wheel-rail", "bolted-joint", "elastomer-on-glass", "lapped-seal", "ground-steel"];
 
 // A window of the page; `script` runs in it before all others.

@@ -5,7 +5,7 @@ use asperity::{
     usual_reference,
 };
 use asperity_answer::{Cell, Recommend, Sheet, unranked};
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 use serde_json::{Value, json};
 
 use crate::answer::{Column, Known, Row, Source, quantities};
@@ -258,8 +258,8 @@ mod tests {
     use super::*;
     use crate::Desk;
 
-    const SEAL: &str = include_str!("../../../answer/inputs/examples/lapped-seal.toml");
-    const JOINT: &str = include_str!("../../../answer/inputs/examples/bolted-joint.toml");
+    const SEAL: &str = include_str!("../../../answer/scene/examples/lapped-seal.toml");
+    const JOINT: &str = include_str!("../../../answer/scene/examples/bolted-joint.toml");
 
     /// The joint of an alloy so soft that no like surface was solved.
     fn joint() -> String {
@@ -307,7 +307,7 @@ mod tests {
         let found = page_at(SEAL, "1 MPa", json!([]));
         let (answer, ke) = (&found["answer"], row(&found, "ke"));
         assert_eq!(answer["source"], "evidence");
-        let file = [asperity_inputs::parse(SEAL, std::path::Path::new(".")).unwrap()];
+        let file = [asperity_scene::parse(SEAL, std::path::Path::new(".")).unwrap()];
         let corrected = crate::answer::compile(&file, "ke").unwrap();
         let corrected = corrected[0].corrected(&file[0]).unwrap();
         let wanted = corrected.at(At::Pressure(1e6)).unwrap();
@@ -327,8 +327,8 @@ mod tests {
     #[test]
     fn the_model_to_use_is_the_verdict_of_the_program() {
         // Few models, which are quick.
-        let text = include_str!("../../../answer/inputs/examples/elastomer-on-glass.toml");
-        let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
+        let text = include_str!("../../../answer/scene/examples/elastomer-on-glass.toml");
+        let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
         for (load, wanted) in [(0.05, json!("gw")), (100.0, Value::Null)] {
             let mut desk = Desk::default();
             call(&mut desk, json!({ "call": "show", "text": text }));

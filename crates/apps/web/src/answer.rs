@@ -5,7 +5,7 @@ use asperity::{
     At, Code, Described, Finding, Findings, Quantity, Request, Severity, shortest_digits,
 };
 use asperity_answer::{ADHESIVE, Asked, ENDS, Line, NO_RANGE, OPENING, column_of_end};
-use asperity_inputs::{Field, INTERFACE, SceneFile};
+use asperity_scene::{Field, INTERFACE, SceneFile};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -290,7 +290,7 @@ mod tests {
     use super::*;
 
     fn scenes() -> [SceneFile; 1] {
-        [asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()]
+        [asperity_scene::parse(asperity_scene::template(), std::path::Path::new(".")).unwrap()]
     }
 
     fn of(scenes: &[SceneFile], id: &str, at: At) -> Row {
@@ -310,9 +310,9 @@ mod tests {
         assert!(heavy.split(' ').all(|part| significant_digits(part) <= 5), "{heavy}");
         assert_eq!(reason(100.0), None);
         // Adhesive models may carry it; one describes opening.
-        let text = include_str!("../../../answer/inputs/examples/elastomer-on-glass.toml");
+        let text = include_str!("../../../answer/scene/examples/elastomer-on-glass.toml");
         let text = text.replace("rigid_", "work_of_adhesion = 0.05\nrigid_");
-        let file = [asperity_inputs::parse(&text, std::path::Path::new(".")).unwrap()];
+        let file = [asperity_scene::parse(&text, std::path::Path::new(".")).unwrap()];
         for id in ["dmt", "jkr"] {
             let reason = of(&file, id, At::Load(-1.0)).reason.unwrap();
             assert_eq!(reason.ends_with(OPENING), id == "jkr");
@@ -351,18 +351,18 @@ mod tests {
     }
 
     fn is_marked(text: &str, id: &str, at: At) -> bool {
-        let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
+        let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
         of(&[file], id, at).mark.is_some()
     }
 
     #[test]
     fn what_no_contact_has_is_marked() {
-        let text = asperity_inputs::template();
+        let text = asperity_scene::template();
         assert!(is_marked(text, "persson-fudge", At::Load(1e30)));
         for id in ["gw", "ke", "persson-fudge"] {
             assert!(!is_marked(text, id, At::Load(100.0)));
         }
-        let soft = include_str!("../../../answer/inputs/examples/elastomer-on-glass.toml");
+        let soft = include_str!("../../../answer/scene/examples/elastomer-on-glass.toml");
         assert!(is_marked(soft, "gw", At::Pressure(1.5e6)));
         assert!(is_marked(soft, "persson", At::Pressure(1e7)));
         assert!(!is_marked(soft, "gw", At::Pressure(1e4)));

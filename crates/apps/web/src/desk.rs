@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use asperity::{Code, ContactError, Corrected, Finding};
 use asperity_answer::Asked;
-use asperity_inputs::{HandedFiles, SceneFile};
+use asperity_scene::{HandedFiles, SceneFile};
 use asperity_topography::Topography;
 use serde_json::{Value, json};
 
@@ -109,7 +109,7 @@ impl Desk {
             }
             Message::Changed { text } => fields::changed(&text).into(),
             Message::Form => {
-                let materials = asperity_inputs::materials().iter().map(read_scene::material);
+                let materials = asperity_scene::materials().iter().map(read_scene::material);
                 let mut form = surface_keys::form();
                 form["materials"] = materials.collect();
                 form
@@ -162,7 +162,7 @@ impl Desk {
             }
             _ => text.into(),
         };
-        let made = match asperity_inputs::parse_handed(&given, &self.files) {
+        let made = match asperity_scene::parse_handed(&given, &self.files) {
             _ if surface_keys::way(&fields::fields(&given)) == way => given.clone(),
             Ok(file) => surface_keys::described(&given, way, &file)?,
             // The scan that was given is not among the files any more.
@@ -270,7 +270,7 @@ mod tests {
     #[test]
     fn a_scene_is_shown_answered_and_drawn() {
         let mut desk = Desk::default();
-        let shown = call(&mut desk, json!({ "call": "show", "text": asperity_inputs::template() }));
+        let shown = call(&mut desk, json!({ "call": "show", "text": asperity_scene::template() }));
         assert!(shown["ok"]["error"].is_null(), "{shown}");
         assert_eq!(shown["ok"]["fields"]["body[1].hardness"], "2e9");
         let load = json!({ "text": "100 N", "unit": "N" });
@@ -296,7 +296,7 @@ mod tests {
     #[test]
     fn errors_have_line_and_field_and_the_desk_goes_on() {
         let mut desk = Desk::default();
-        let text = asperity_inputs::template().replace("hardness = 2e9", "hardness = \"2 GP\"");
+        let text = asperity_scene::template().replace("hardness = 2e9", "hardness = \"2 GP\"");
         let shown = call(&mut desk, json!({ "call": "show", "text": text }));
         assert_eq!(shown["ok"]["error"]["field"], "body[1].hardness");
         let line = 1 + text.lines().position(|line| line.contains("2 GP")).unwrap();
@@ -314,7 +314,7 @@ mod tests {
 
     #[test]
     fn a_look_at_another_description_changes_nothing() {
-        let template = asperity_inputs::template();
+        let template = asperity_scene::template();
         let (head, _) = template.split_once("\n[surface]").unwrap();
         for surface in SURFACES {
             let given = format!("{head}\n[surface]\n{surface}\n");
@@ -364,7 +364,7 @@ mod tests {
         let keys = json!({ "pixels": "64", "side": "64 um", "longest": "32 um", "shortest": "4 um", "hurst": "0.8", "sq": "0.5 um", "seed": "3" });
         let made = call(&mut desk, json!({ "call": "random", "keys": keys }));
         let name = made["ok"]["name"].as_str().unwrap();
-        let text = asperity_inputs::template();
+        let text = asperity_scene::template();
         let text = call(&mut desk, json!({ "call": "use-scan", "text": text, "name": name }));
         let shown = call(&mut desk, json!({ "call": "show", "text": text["ok"] }));
         assert!(shown["ok"]["error"].is_null(), "{shown}");

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity_inputs::{BODY, materials};
+use asperity_scene::{BODY, materials};
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 
 use crate::message::Change;
@@ -181,7 +181,7 @@ fn numbers_of_material(change: &Change, known: &BTreeMap<String, String>) -> Vec
     let Some(body) = change.path.strip_suffix(".material") else { return vec![] };
     let is_own = change.value.as_ref().is_none_or(String::is_empty);
     let old = materials().iter().find(|old| Some(&old.id) == known.get(&change.path));
-    let number = |field: &asperity_inputs::Field<asperity::Body>| {
+    let number = |field: &asperity_scene::Field<asperity::Body>| {
         let value = old.filter(|_| is_own).and_then(|old| (field.get)(&old.body));
         let (path, value) = (format!("{body}.{}", field.name), value.map(|x| format!("{x:e}")));
         Change { path, value }
@@ -263,7 +263,7 @@ mod tests {
 
     #[test]
     fn a_changed_example_says_so_once_and_is_not_described_any_more() {
-        let text = include_str!("../../../answer/inputs/examples/wheel-rail.toml");
+        let text = include_str!("../../../answer/scene/examples/wheel-rail.toml");
         let found = changed(text);
         assert_eq!((found.matches(CHANGED).count(), found.lines().nth(1)), (1, Some("")));
         assert_eq!(fields(&found), fields(text));

@@ -138,7 +138,7 @@ pub(crate) fn findings(all: &Findings, converted: &[(String, String)]) -> Value 
 #[cfg(test)]
 mod tests {
     use asperity::At;
-    use asperity_inputs::{HandedFiles, SceneFile, parse_handed};
+    use asperity_scene::{HandedFiles, SceneFile, parse_handed};
 
     use super::*;
     use crate::surface_keys::with_scan;
@@ -174,7 +174,7 @@ mod tests {
 
     #[test]
     fn where_contacts_merge_no_model_of_asperities_is_advised() {
-        let file = asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new("."));
+        let file = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
         let file = file.unwrap();
         let at = |pressure: f64| {
             let found = |id: &str| {
@@ -200,7 +200,7 @@ mod tests {
         };
         let scan = (0..64 * 64).map(height).collect::<String>().into_bytes();
         let files = HandedFiles::from([("scan.txt".to_string(), scan)]);
-        let text = with_scan(asperity_inputs::template(), "scan.txt").unwrap();
+        let text = with_scan(asperity_scene::template(), "scan.txt").unwrap();
         let keys = "file = \"scan.txt\"\nunit = \"nm\"\npixel_size = \"1 um\"";
         parse_handed(&text.replace("file = \"scan.txt\"", keys), &files).unwrap()
     }

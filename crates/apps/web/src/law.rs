@@ -1,8 +1,8 @@
 //! The law of one asperity by a model: its picture, its kinks, its range and its source.
 
 use asperity::{Described, Tolerance, short};
-use asperity_inputs::SceneFile;
 use asperity_plot::{Axis, Curve, Figure, Mark, Panel, draw, look_of};
+use asperity_scene::SceneFile;
 use serde_json::{Value, json};
 
 use crate::labels::{model_name, source};
@@ -132,7 +132,7 @@ mod tests {
     use super::*;
 
     fn file() -> SceneFile {
-        asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()
+        asperity_scene::parse(asperity_scene::template(), std::path::Path::new(".")).unwrap()
     }
 
     #[test]
@@ -152,9 +152,9 @@ mod tests {
 
     #[test]
     fn laws_of_bodies_without_hardness_are_drawn_against_the_height_std() {
-        let text = include_str!("../../../answer/inputs/examples/elastomer-on-glass.toml");
+        let text = include_str!("../../../answer/scene/examples/elastomer-on-glass.toml");
         let text = text.replace("rigid_", "work_of_adhesion = 0.05\nrigid_");
-        let file = asperity_inputs::parse(&text, std::path::Path::new(".")).unwrap();
+        let file = asperity_scene::parse(&text, std::path::Path::new(".")).unwrap();
         for id in ["gw", "dmt", "jkr"] {
             let found = law(&file, id).unwrap();
             assert!(found["svg"].as_str().unwrap().contains("interference over σ"), "{id}");

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use asperity::bem::HeightMap;
-use asperity_inputs::SceneFile;
 use asperity_plot::{
     Axis, Between, Curve, Figure, MEASURED, Map, Mark, Panel, Scale, draw, draw_map, largest_of,
     legible, look_of,
 };
+use asperity_scene::SceneFile;
 use serde_json::{Value, json};
 
 use crate::answer::{Column, columns};
@@ -181,7 +181,7 @@ mod tests {
     use crate::span::LoadKeys;
 
     fn file() -> SceneFile {
-        asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new(".")).unwrap()
+        asperity_scene::parse(asperity_scene::template(), std::path::Path::new(".")).unwrap()
     }
 
     fn asked(rows: &[String], view: &str, load: &str, solved: &[[f64; 2]]) -> Draw {
@@ -224,7 +224,7 @@ mod tests {
     fn models_within_ranges_have_a_band_each_and_their_ends_under_the_pointer() {
         let ground = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
             poissons_ratio = 0.3\nhardness = 2e9\n[surface]\nra = 8e-7\nfinish = \"ground\"\n";
-        let file = asperity_inputs::parse(ground, std::path::Path::new(".")).unwrap();
+        let file = asperity_scene::parse(ground, std::path::Path::new(".")).unwrap();
         let (middle, ends) = file.corners().unwrap();
         let scenes: Vec<SceneFile> = [middle].into_iter().chain(ends).collect();
         let of = |id| rows(&scenes, id, &compile(&scenes, id).unwrap(), &[1e5, 1e6, 1e7]);

@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 use asperity::bem::{Bem, BoundaryElements, Direction, Leak, LoadCase, Progress, Solution};
 use asperity::{ContactError, Quantity, Separation, SeparationUnit, short};
 use asperity_answer::{Cell, FLOWS, Press, Pressed};
-use asperity_inputs::{SceneFile, quantity};
 use asperity_plot::Map;
+use asperity_scene::{SceneFile, quantity};
 use asperity_topography::Topography;
 use serde_json::{Value, json};
 
@@ -236,7 +236,7 @@ mod tests {
     use std::path::Path;
 
     use asperity_answer::{Sheet, Silent};
-    use asperity_inputs::{HandedFiles, parse_handed};
+    use asperity_scene::{HandedFiles, parse_handed};
 
     use super::*;
     use crate::random::example;
@@ -259,7 +259,7 @@ mod tests {
 
     #[test]
     fn loads_are_solved_with_progress_as_the_library_solves_them() {
-        let (file, events) = pressed(asperity_inputs::template(), &[1e8, 5e7, 4e8], false);
+        let (file, events) = pressed(asperity_scene::template(), &[1e8, 5e7, 4e8], false);
         let (mut iterations, mut areas) = (0, vec![]);
         for event in events {
             match event["event"].as_str().unwrap() {
@@ -304,7 +304,7 @@ mod tests {
         for plane in ["asperity-mean", "surface-mean"] {
             let wanted = format!("separation_from = \"{plane}\"");
             let text =
-                asperity_inputs::template().replace("separation_from = \"asperity-mean\"", &wanted);
+                asperity_scene::template().replace("separation_from = \"asperity-mean\"", &wanted);
             let (file, events) = pressed(&text, &[2e8], false);
             let of = |name: &str| digits(events.last().unwrap(), name).unwrap();
             let offset = file.scene.mean_plane_offset();
@@ -317,7 +317,7 @@ mod tests {
 
     #[test]
     fn stiffnesses_are_slopes_of_load_over_gap_and_unloading_is_the_stiffer() {
-        let (file, events) = pressed(asperity_inputs::template(), &[2e8, 1.9e8, 2.1e8], false);
+        let (file, events) = pressed(asperity_scene::template(), &[2e8, 1.9e8, 2.1e8], false);
         let solved = |wanted: f64, name: &str| {
             let at = |event: &&Value| {
                 event["pressure"].as_f64().is_some_and(|p| (p / wanted - 1.0).abs() < 1e-9)
@@ -339,7 +339,7 @@ mod tests {
 
     #[test]
     fn leaks_are_those_of_the_program() {
-        let (file, events) = pressed(asperity_inputs::template(), &[3e8], true);
+        let (file, events) = pressed(asperity_scene::template(), &[3e8], true);
         let [.., solved, _, map] = &events[..] else { panic!("{events:?}") };
         let bem = file.bem().unwrap();
         let given = [LoadCase::MeanPressure(3e8)];
@@ -372,7 +372,7 @@ mod tests {
 
     #[test]
     fn a_sealed_contact_has_no_flow() {
-        let (file, events) = pressed(asperity_inputs::template(), &[1.8e9], true);
+        let (file, events) = pressed(asperity_scene::template(), &[1.8e9], true);
         let [.., solved, _, map] = &events[..] else { panic!("{events:?}") };
         assert_eq!(
             (digits(solved, "hydraulic-gap-x"), digits(solved, "hydraulic-gap-y")),
@@ -385,7 +385,7 @@ mod tests {
 
     #[test]
     fn a_wrong_fluid_is_refused_at_its_field() {
-        let (file, events) = pressed(asperity_inputs::template(), &[3e8], false);
+        let (file, events) = pressed(asperity_scene::template(), &[3e8], false);
         assert!(events.iter().all(|event| event["event"] != "flow"));
         assert!(!events.iter().any(|event| event.to_string().contains("hydraulic")));
         let [viscosity, drop] = OIL;
@@ -405,7 +405,7 @@ mod tests {
 
     #[test]
     fn a_scene_without_a_scan_is_refused_with_what_to_do() {
-        let file = asperity_inputs::parse(asperity_inputs::template(), Path::new(".")).unwrap();
+        let file = asperity_scene::parse(asperity_scene::template(), Path::new(".")).unwrap();
         let refused = press(&file, &[1e6], false, |_| {}).unwrap_err();
         assert_eq!(refused.field.as_deref(), Some("surface.file"));
     }

@@ -39,7 +39,7 @@ impl RandomKeys {
 
     fn length(&self, key: &str) -> Result<f64, Refusal> {
         let field = format!("random.{key}");
-        let length = asperity_inputs::quantity(&self.text(key), "m");
+        let length = asperity_scene::quantity(&self.text(key), "m");
         length.map_err(|error| Refusal::at(&field, format!("{field}: {error}")))
     }
 

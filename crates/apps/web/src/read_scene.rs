@@ -1,7 +1,7 @@
 //! A text as the page shows it: fields, findings, models and numbers of its scene.
 
 use asperity::{Body, DerivedNumber, Described, HARDNESS_OVER_YIELD, Model};
-use asperity_inputs::{BODY, Field, HandedFiles, Key, Material, SceneFile, parse_handed};
+use asperity_scene::{BODY, Field, HandedFiles, Key, Material, SceneFile, parse_handed};
 use serde_json::{Value, json};
 
 use crate::labels::{model_name, model_sentence, symbols, term};
@@ -107,7 +107,7 @@ mod tests {
 
     #[test]
     fn a_text_has_fields_models_and_files_and_a_wrong_one_its_error() {
-        let (found, file) = read(asperity_inputs::template(), &HandedFiles::new());
+        let (found, file) = read(asperity_scene::template(), &HandedFiles::new());
         assert!(file.is_some() && found["error"].is_null());
         let models = found["models"].as_array().unwrap();
         assert!(models.iter().any(|model| model["id"] == "at" && model["slow"] == true));
@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn materials_are_shown_with_their_numbers_and_source() {
-        let all: Vec<_> = asperity_inputs::materials().iter().map(material).collect();
+        let all: Vec<_> = asperity_scene::materials().iter().map(material).collect();
         assert!(all.len() >= 25);
         let text = |one: &Value, key: &str| one[key].as_str().unwrap().to_string();
         assert!(

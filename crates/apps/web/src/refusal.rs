@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use asperity::ContactError;
-use asperity_inputs::SceneError;
+use asperity_scene::SceneError;
 use serde::Serialize;
 
 use crate::labels::symbols;
@@ -50,15 +50,15 @@ impl<E: Error + 'static> From<E> for Refusal {
 mod tests {
     use std::path::Path;
 
-    use asperity_inputs::HandedFiles;
+    use asperity_scene::HandedFiles;
 
     use super::*;
 
     fn refusal(key: &str, value: &str) -> Refusal {
-        let text = asperity_inputs::template();
+        let text = asperity_scene::template();
         let line = text.lines().find(|line| line.starts_with(key)).unwrap();
         let text = text.replacen(line, &format!("{key} = {value}"), 1);
-        let error = asperity_inputs::parse(&text, Path::new(".")).unwrap_err();
+        let error = asperity_scene::parse(&text, Path::new(".")).unwrap_err();
         Refusal::from(error)
     }
 
@@ -78,13 +78,13 @@ mod tests {
         let row = |k: usize| if k < 4 { "nan\t1\t3\t2\n" } else { "2\t4\t1\t3\n" };
         let text = (0..8).map(row).collect::<String>().into_bytes();
         let files = HandedFiles::from([("a.txt".to_string(), text)]);
-        let scene = crate::surface_keys::with_scan(asperity_inputs::template(), "a.txt").unwrap();
+        let scene = crate::surface_keys::with_scan(asperity_scene::template(), "a.txt").unwrap();
         let scene =
             scene.replace("file = \"a.txt\"", "file = \"a.txt\"\nunit = \"um\"\npixel_size = 1");
-        let refused = Refusal::from(asperity_inputs::parse_handed(&scene, &files).unwrap_err());
+        let refused = Refusal::from(asperity_scene::parse_handed(&scene, &files).unwrap_err());
         assert_eq!(refused.field.as_deref(), Some("surface.max_missing"), "{}", refused.message);
         let refused =
-            Refusal::from(asperity_inputs::parse_handed(&scene, &HandedFiles::new()).unwrap_err());
+            Refusal::from(asperity_scene::parse_handed(&scene, &HandedFiles::new()).unwrap_err());
         assert_eq!(refused.field.as_deref(), Some("surface.file"), "{}", refused.message);
     }
 }

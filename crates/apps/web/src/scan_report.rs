@@ -1,7 +1,7 @@
 //! The scan of a scene: its picture, its statistics, and its slopes at several distances.
 
-use asperity_inputs::SceneFile;
 use asperity_plot::draw_surface;
+use asperity_scene::SceneFile;
 use asperity_topography::{AtDistance, Glance, Level, Reported, Topography};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -61,13 +61,13 @@ pub(crate) fn report(heights: Vec<f64>, shape: Shape) -> Result<Value, Refusal> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asperity_inputs::{HandedFiles, parse_handed};
+    use asperity_scene::{HandedFiles, parse_handed};
 
     #[test]
     fn a_scan_has_picture_caption_statistics_and_scales() {
         let keys = crate::random::example();
         let files = HandedFiles::from([(keys.name(), keys.file().unwrap())]);
-        let text = asperity_inputs::template();
+        let text = asperity_scene::template();
         let text = crate::surface_keys::with_scan(text, &keys.name()).unwrap();
         let file = parse_handed(&text, &files).unwrap();
         let about = numbers(&file).unwrap();
@@ -80,7 +80,7 @@ mod tests {
             (&json!("sq"), &json!("500 nm"))
         );
         assert_eq!(found["scales"]["rows"][0][0], "1 µm");
-        let plain = asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new("."));
+        let plain = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
         assert!(numbers(&plain.unwrap()).is_err());
     }
 }

@@ -90,7 +90,7 @@ mod tests {
         ] {
             let text = typed(value, unit, EXACTLY);
             assert_eq!(text, wanted);
-            let read = asperity_inputs::quantity(&text, unit).unwrap();
+            let read = asperity_scene::quantity(&text, unit).unwrap();
             assert!((read - value).abs() <= 1e-15 * value, "{text}");
         }
     }
@@ -102,7 +102,7 @@ mod tests {
         {
             let text = typed(value, unit, 3);
             assert_eq!(text, wanted);
-            let read = asperity_inputs::quantity(&text, unit).unwrap();
+            let read = asperity_scene::quantity(&text, unit).unwrap();
             assert!((read / value - 1.0).abs() < 5e-3, "{text}");
         }
     }

@@ -1,7 +1,7 @@
 //! The loads of the slider and of the pictures.
 
 use asperity::{At, Scene};
-use asperity_inputs::{NO_LOAD, converted, notation_hint, quantity};
+use asperity_scene::{NO_LOAD, converted, notation_hint, quantity};
 use serde::{Deserialize, Serialize};
 
 use crate::refusal::Refusal;
@@ -143,7 +143,7 @@ mod tests {
     use super::*;
 
     fn scene() -> Scene {
-        let file = asperity_inputs::parse(asperity_inputs::template(), std::path::Path::new("."));
+        let file = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
         file.unwrap().scene
     }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use asperity_answer::rounded;
-use asperity_inputs::{KEYS, Key, SceneFile, Subject};
+use asperity_scene::{KEYS, Key, SceneFile, Subject};
 use serde_json::{Value, json};
 
 use crate::fields::{edit, fields, files};
@@ -219,14 +219,14 @@ mod tests {
 
     #[test]
     fn a_surface_is_the_same_in_every_way() {
-        let text = include_str!("../../../answer/inputs/examples/ground-steel.toml");
+        let text = include_str!("../../../answer/scene/examples/ground-steel.toml");
         let folder = std::path::Path::new(".");
-        let file = asperity_inputs::parse(text, folder).unwrap();
+        let file = asperity_scene::parse(text, folder).unwrap();
         assert_eq!(way(&fields(text)), "moments");
         for (name, _) in &WAYS[2..] {
             let edited = described(text, name, &file).unwrap();
             assert_eq!(way(&fields(&edited)), *name);
-            let found = asperity_inputs::parse(&edited, folder).unwrap().scene.surface;
+            let found = asperity_scene::parse(&edited, folder).unwrap().scene.surface;
             let wanted = file.scene.surface;
             let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 5e-5, "{name}: {a} {b}");
             near(found.asperity_radius, wanted.asperity_radius);
@@ -244,18 +244,18 @@ mod tests {
     #[test]
     fn a_surface_given_by_its_slope_can_be_described_otherwise() {
         let folder = Path::new(".");
-        let template = asperity_inputs::template();
+        let template = asperity_scene::template();
         let (head, _) = template.split_once("\n[surface]").unwrap();
         for surface in [
             "sq = 1.1e-6\nspd = 2e8\nsdq = 0.058",
             "surface_height_std = 1.1e-6\nasperity_density = 2e8\nmean_slope = 0.03",
         ] {
             let text = format!("{head}\n[surface]\n{surface}\n");
-            let file = asperity_inputs::parse(&text, folder).unwrap();
+            let file = asperity_scene::parse(&text, folder).unwrap();
             for (name, _) in &WAYS[2..] {
                 let edited = described(&text, name, &file).unwrap();
                 assert_eq!(way(&fields(&edited)), *name);
-                let found = asperity_inputs::parse(&edited, folder).unwrap().scene.surface;
+                let found = asperity_scene::parse(&edited, folder).unwrap().scene.surface;
                 let ratio = found.asperity_radius / file.scene.surface.asperity_radius;
                 assert!((ratio - 1.0).abs() < 5e-5, "{surface}, {name}: {ratio}");
             }
@@ -265,7 +265,7 @@ mod tests {
     }
 
     fn parse(text: &str) -> SceneFile {
-        asperity_inputs::parse(text, Path::new("")).unwrap()
+        asperity_scene::parse(text, Path::new("")).unwrap()
     }
 
     fn set(path: &str, value: &str) -> Change {
@@ -280,7 +280,7 @@ mod tests {
 
     #[test]
     fn roughness_without_a_unit_is_in_um_and_other_numbers_as_typed() {
-        let text = ground(asperity_inputs::template());
+        let text = ground(asperity_scene::template());
         assert_eq!(fields(&text)["surface.ra"], "0.8 um");
         let changes = [
             set("surface.rz", "5 "),
@@ -326,7 +326,7 @@ mod tests {
     fn the_other_surface_of_two_like_bodies_is_the_same_until_another_is_chosen() {
         let other = |text: &str| other_surface(&fields(text)).unwrap();
         let has_other = |text: &str| fields(text).keys().any(|path| path.contains("counterface"));
-        let template = asperity_inputs::template();
+        let template = asperity_scene::template();
         let text = ground(template);
         assert_eq!(other(&text), "same");
         assert!(text.contains("counterface = { ra = \"0.8 um\", finish = \"ground\" }"), "{text}");

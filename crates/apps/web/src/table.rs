@@ -2,7 +2,7 @@
 
 use asperity::{At, Tolerance};
 use asperity_answer::{Export, Sheet, Silent, Subject, TableFormat, UnitSystem};
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 use serde_json::{Value, json};
 
 use crate::refusal::Refusal;
@@ -68,8 +68,8 @@ mod tests {
 
     #[test]
     fn tables_name_their_model() {
-        let text = asperity_inputs::template();
-        let file = asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
+        let text = asperity_scene::template();
+        let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
         for (form, word) in [("csv", "pressure"), ("abaqus", "*"), ("calculix", "*")] {
             let found = table(&file, "ke", form, "mm-N-MPa").unwrap();
             assert!(found["text"].as_str().unwrap().contains(word), "{found}");
@@ -81,11 +81,11 @@ mod tests {
 
     #[test]
     fn models_without_a_table_are_known_before_one_is_asked_for() {
-        let file = |text: &str| asperity_inputs::parse(text, std::path::Path::new(".")).unwrap();
+        let file = |text: &str| asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
         let ranges = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
             poissons_ratio = 0.3\nhardness = 2e9\n[surface]\nra = 8e-7\nfinish = \"ground\"\n";
         let ids = ["ke", "gw", "persson-fudge", "af", "dmt"].map(String::from);
-        for text in [asperity_inputs::template(), ranges] {
+        for text in [asperity_scene::template(), ranges] {
             let file = file(text);
             for form in ["csv", "calculix"] {
                 let found = refusals(&file, &ids, form).unwrap();

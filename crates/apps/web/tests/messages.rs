@@ -80,7 +80,7 @@ impl Heard {
 
 #[test]
 fn messages() {
-    let template = asperity_inputs::template();
+    let template = asperity_scene::template();
     let mut heard = Heard::default();
     heard.ask("no scene", json!({ "call": "curve", "models": ["ke"] }));
     heard.show("no toml", "a = ");
@@ -139,7 +139,7 @@ fn messages() {
     }
     heard.show("Ra alone", GROUND);
     heard.answer("100 N");
-    let adhesive = include_str!("../../../answer/inputs/examples/elastomer-on-glass.toml");
+    let adhesive = include_str!("../../../answer/scene/examples/elastomer-on-glass.toml");
     heard.show("adhesion", &adhesive.replace("rigid_", "work_of_adhesion = 0.05\nrigid_"));
     heard.answer("-1 N");
     insta::assert_snapshot!(heard.said.join("\n"));

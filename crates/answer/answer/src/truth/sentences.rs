@@ -4,7 +4,7 @@ use asperity::{
     At, Code, Compared, ContactError, Described, EvidenceAt, Model, Quantity, Ratio, Request,
     Scene, SurfaceShape, nearest_in_each, recommend_among, usual_reference,
 };
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 
 use super::{ContactState, Truth};
 

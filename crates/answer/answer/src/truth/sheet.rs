@@ -4,7 +4,7 @@ use std::mem::discriminant;
 
 use asperity::bem::{Bem, BemError};
 use asperity::{Code, Compared, ContactError, Described, Finding, Findings, Model, Quantity};
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 
 use super::{ContactState, Truth, beside_table, compare_with_bem, summary};
 use crate::bem::half_grid;

@@ -6,7 +6,7 @@ use anyhow::{Context, Result, ensure};
 use asperity::bem::Bem;
 use asperity::{At, ContactModel, Quantity, Request, SeparationUnit, linspace};
 use asperity_answer::{Beside, Cell, Inquiry, Sheet, models, one_model, with_ranges};
-use asperity_inputs::{SceneFile, read_measurements};
+use asperity_scene::{SceneFile, read_measurements};
 use clap::Args;
 use clap::error::ErrorKind;
 

@@ -9,7 +9,7 @@ use asperity::bem::Bem;
 use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Observation, Progress, rank};
 use asperity::{Described, Model};
 use asperity_answer::{Cell, Sheet};
-use asperity_inputs::{Free, SceneError, read_measurements};
+use asperity_scene::{Free, SceneError, read_measurements};
 use clap::{ArgGroup, Args};
 
 use crate::input::args::{DrawnArgs, model_id};

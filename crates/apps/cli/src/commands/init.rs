@@ -18,6 +18,6 @@ pub struct Init {
 impl Init {
     pub fn run(self) -> Result<()> {
         self.file.as_deref().map_or(Ok(()), output::refuse_to_replace)?;
-        output::write_text(self.file.as_deref(), asperity_inputs::template())
+        output::write_text(self.file.as_deref(), asperity_scene::template())
     }
 }

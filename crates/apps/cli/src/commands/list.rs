@@ -4,7 +4,7 @@ use anyhow::{Result, ensure};
 use asperity::bem::Bem;
 use asperity::{Body, Citation, Code, Described, Model, Quantity, nearest_hint, nearest_name};
 use asperity_answer::{Cell, Sheet};
-use asperity_inputs::{BODY, Field, Material, column_of};
+use asperity_scene::{BODY, Field, Material, column_of};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
@@ -189,10 +189,10 @@ fn like(word: &str) -> Result<Vec<Listed>> {
 
 fn materials(word: &str, narrow: bool) -> Result<Sheet> {
     let mut sheet = Sheet::default();
-    let found = asperity_inputs::materials_like(word);
+    let found = asperity_scene::materials_like(word);
     ensure!(!found.is_empty(), "no material is like {word:?}; `asperity list materials` lists all");
     let known = |key: &&Field<Body>| {
-        asperity_inputs::materials().iter().any(|m| (key.get)(&m.body).is_some())
+        asperity_scene::materials().iter().any(|m| (key.get)(&m.body).is_some())
     };
     let keys: Vec<&Field<Body>> = BODY.iter().filter(known).collect();
     let heads: Vec<String> = keys.iter().map(|key| column_of(key.name)).collect();

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result, bail};
 use asperity::{At, Code, ContactModel, Quantity, Request};
 use asperity_answer::{Blanks, Sheet};
-use asperity_inputs::{MeasuredKeys, SceneFile};
+use asperity_scene::{MeasuredKeys, SceneFile};
 use asperity_topography::{Statistics, Topography};
 use clap::Args;
 

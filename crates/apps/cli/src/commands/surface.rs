@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, anyhow};
 use asperity::{Code, Findings};
 use asperity_answer::{Cell, Sheet};
-use asperity_inputs::MeasuredKeys;
 use asperity_plot::draw_surface;
+use asperity_scene::MeasuredKeys;
 use asperity_topography::{
     Alignment, Distance, Estimator, Glance, HeaderLine, LengthUnit, Level, ReadOptions, Reported,
     Statistics, Topography, TopographyError, report,
@@ -155,7 +155,7 @@ impl Surface {
         for (name, raw, surface) in &scans {
             let of = || name.clone();
             let statistics = surface.statistics(self.estimator).with_context(of)?;
-            let seam = asperity_inputs::open_seam(surface).into_iter();
+            let seam = asperity_scene::open_seam(surface).into_iter();
             let [dx, dy] = surface.pixel_size();
             let slope = statistics.unusual_slope(dx.max(dy));
             let size = slope.or_else(|| statistics.unusual_height());
@@ -189,7 +189,7 @@ impl Surface {
         let statistics = each.last().context("a file was required")?;
         if let (Some(path), Some(density)) = (&self.heights, density) {
             let points = density.heights_m.into_iter().zip(density.density_per_m);
-            let text = asperity_inputs::write_heights(&points.collect::<Vec<_>>());
+            let text = asperity_scene::write_heights(&points.collect::<Vec<_>>());
             output::write_text(Some(path), &text)?;
         }
         if let Some(path) = &self.scene {
@@ -342,7 +342,7 @@ impl Surface {
             ("heights", heights.map(Value::from)),
         ];
         keys.extend(given.into_iter().filter_map(|(key, value)| Some((key, value?))));
-        Ok(asperity_inputs::template_on(statistics.surface().ok().as_ref(), &keys))
+        Ok(asperity_scene::template_on(statistics.surface().ok().as_ref(), &keys))
     }
 }
 

@@ -7,7 +7,7 @@ use asperity::bem::{Bem, BemOptions, Continuation};
 use asperity::recommended::BEM;
 use asperity::{At, Described, Model, Quantity, Request, Separation, SeparationUnit, Tolerance};
 use asperity_answer::Sheet;
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};

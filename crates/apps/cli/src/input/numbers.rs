@@ -2,7 +2,7 @@
 
 use asperity::joints::coefficient_of_friction;
 use asperity::shortest_digits;
-use asperity_inputs::{NO_LOAD, notation_hint};
+use asperity_scene::{NO_LOAD, notation_hint};
 
 /// A force other than 0, in N or with its unit: a tension is below 0.
 pub fn load_or_tension(text: &str) -> Result<f64, String> {
@@ -36,7 +36,7 @@ pub fn viscosity(text: &str) -> Result<f64, String> {
 
 /// A finite number, plain or with its unit.
 pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
-    match asperity_inputs::quantity(text, si)? {
+    match asperity_scene::quantity(text, si)? {
         value if value.is_finite() => Ok(value),
         _ => Err(format!("{text} is not finite")),
     }
@@ -115,7 +115,7 @@ pub fn share_above_0(text: &str) -> Result<f64, String> {
 
 /// A slope above 0: a number, or in per cent or degrees.
 pub fn slope(text: &str) -> Result<f64, String> {
-    match asperity_inputs::gradient(text).filter(|_| !text.contains(',')) {
+    match asperity_scene::gradient(text).filter(|_| !text.contains(',')) {
         Some(slope) => positive(slope),
         None => positive_number(text),
     }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 
 /// Whether long cases run as well: `.ci/full` sets `ASPERITY_LONG`.
 pub fn is_long() -> bool {
@@ -39,7 +39,7 @@ asperity_height_std = 1e-6
 /// The template with the lines that tell what conducts: those below the commented [interface] stand
 /// in the second body then.
 pub fn conducting() -> String {
-    let template = asperity_inputs::template();
+    let template = asperity_scene::template();
     let template = template.replace("# thermal_conductivity", "thermal_conductivity");
     template.replace("# electrical_resistivity", "electrical_resistivity")
 }
@@ -59,7 +59,7 @@ impl Bench {
     /// With the template as `scene.toml`.
     pub fn new() -> Self {
         let bench = Self { folder: tempfile::tempdir().unwrap() };
-        bench.write("scene.toml", asperity_inputs::template());
+        bench.write("scene.toml", asperity_scene::template());
         bench
     }
 
@@ -124,7 +124,7 @@ impl Bench {
     }
 
     pub fn scene(&self, name: &str) -> SceneFile {
-        asperity_inputs::load(self.path(name)).unwrap()
+        asperity_scene::load(self.path(name)).unwrap()
     }
 }
 

@@ -74,7 +74,7 @@ fn what_a_conductance_needs_is_named() {
     let gas = "curve scene.toml --model ke --load 10 --quantity gap-conductance-per-area";
     let run = bench.run(gas);
     assert!(run.code == Some(1) && run.messages.contains("gas_conductivity is missing"));
-    let template = asperity_inputs::template().replace("[options]\n", GAS);
+    let template = asperity_scene::template().replace("[options]\n", GAS);
     bench.write("gas.toml", &template);
     let joint = "curve gas.toml --model ke --load 10 --quantity joint-conductance-per-area";
     let run = bench.run(joint);

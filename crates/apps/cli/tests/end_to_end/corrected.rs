@@ -43,7 +43,7 @@ fn corrected_models_have_intervals_and_reasons_for_blanks() {
 #[test]
 fn without_evidence_the_models_stand_as_they_are() {
     let bench = Bench::new();
-    bench.write("rough.toml", &asperity_inputs::template().replace("_std = 1e-6", "_std = 2e-5"));
+    bench.write("rough.toml", &asperity_scene::template().replace("_std = 1e-6", "_std = 2e-5"));
     let asked = "--load 1000 --quantity area,stiffness --corrected";
     let rough = bench.run(&format!("curve rough.toml --model ke {asked} --format csv"));
     assert_eq!(cells(&rough.out, "model"), ["ke", "ke-corrected"]);

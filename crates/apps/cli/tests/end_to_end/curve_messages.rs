@@ -106,7 +106,7 @@ fn a_comma_separates() {
 #[test]
 fn a_resistivity_that_is_a_conductivity_and_typed_numbers_are_named() {
     let bench = Bench::new();
-    let scene = asperity_inputs::template();
+    let scene = asperity_scene::template();
     let copper =
         scene.replace("# electrical_resistivity = 1.7e-7", "electrical_resistivity = 2.5e7");
     bench.write("copper.toml", &copper);

@@ -6,7 +6,7 @@ use crate::bench::{Bench, cells, column, column_of};
 
 /// Areas and stiffnesses of KE on the scene with other numbers, as `curve` writes them.
 fn measured(bench: &Bench, change: (&str, &str), quantities: &str) -> String {
-    let scene = asperity_inputs::template().replace(change.0, change.1);
+    let scene = asperity_scene::template().replace(change.0, change.1);
     bench.write("truth.toml", &scene);
     bench.data(&format!(
         "curve truth.toml --model ke --pressure 1e5:3e7:8:log --quantity {quantities} --tolerance 1e-13"
@@ -56,7 +56,7 @@ fn one_target_answers_the_inverse_question() {
     assert_eq!(run.code, Some(0), "{}", run.messages);
     let height_std = column(&run.out, "value")[0];
     assert_eq!(column_of(&run.out, "lower"), [None]);
-    let scene = asperity_inputs::template();
+    let scene = asperity_scene::template();
     let new = format!("asperity_height_std = {height_std:e}");
     bench.write("smooth.toml", &scene.replace("asperity_height_std = 1e-6", &new));
     let check = "curve smooth.toml --model ke --pressure 5MPa --quantity area-fraction";
@@ -133,7 +133,7 @@ fn a_parameter_at_a_limit_is_a_warning_with_the_limit() {
     let run = bench.run(&format!("{fit} asperity_height_std=2um:9um"));
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert!(run.messages.contains("[limits]"), "{}", run.messages);
-    let template = asperity_inputs::template();
+    let template = asperity_scene::template();
     let (before, rest) = template.split_once("asperity_radius = 2e-4").unwrap();
     let (_, after) = rest.split_once("# 2.").unwrap();
     let iso = "sq = \"3 um\"\nspd = \"200 1/mm2\"\nspc = \"15 1/mm\"\n# 2.";
@@ -152,7 +152,7 @@ fn a_parameter_at_a_limit_is_a_warning_with_the_limit() {
 fn a_hardness_starts_from_the_yield_strength() {
     let bench = Bench::new();
     write_rows(&bench, stiffness_rows(&bench));
-    let scene = asperity_inputs::template().replace("hardness = 2e9 ", "yield_strength = 7e8 ");
+    let scene = asperity_scene::template().replace("hardness = 2e9 ", "yield_strength = 7e8 ");
     bench.write("scene.toml", &scene.replace("hardness = 2e9\n", "yield_strength = 7e8\n"));
     for free in ["hardness", "body1_hardness"] {
         let found = bench.data(&format!("fit scene.toml data.csv --free {free} --format json"));
@@ -205,10 +205,10 @@ fn models_that_do_not_hold_come_last() {
 #[test]
 fn models_that_yield_find_the_elastic_law_within_them() {
     let bench = Bench::new();
-    bench.write("elastic.toml", asperity_inputs::template());
+    bench.write("elastic.toml", asperity_scene::template());
     let ask = "--model gw --pressure 1e5:3e7:8:log --quantity area,unloading-stiffness";
     bench.data(&format!("curve elastic.toml {ask} --output g.csv"));
-    let start = asperity_inputs::template()
+    let start = asperity_scene::template()
         .replace("asperity_height_std = 1e-6", "asperity_height_std = 1.5e-6")
         .replace("hardness = 2e9", "hardness = 3e9");
     bench.write("start.toml", &start);

@@ -219,7 +219,7 @@ fn a_model_that_lacks_a_quantity_leaves_it_blank() {
 #[test]
 fn a_last_contact_that_is_hard_to_find_leaves_the_table_as_it_is() {
     let bench = Bench::new();
-    let rail = include_str!("../../../../answer/inputs/examples/wheel-rail.toml");
+    let rail = include_str!("../../../../answer/scene/examples/wheel-rail.toml");
     let heights = "heights = \"exponential\"";
     bench.write("scene.toml", &rail.replace("separation_from = \"surface-mean\"", heights));
     let run = bench.run("joint scene.toml --model jg-cosine --load 20kN --retreat 0nm,100nm");

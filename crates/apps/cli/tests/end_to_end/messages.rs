@@ -27,7 +27,7 @@ fn separations_in_metres_have_a_warning_and_skewness_is_reported() {
     }
     let far = bench.run("joint scene.toml --load 100 --friction 0.3 --amplitude 20 --points 3");
     assert!(far.messages.contains("[likely-unit]"), "{}", far.messages);
-    let skewed = asperity_inputs::template().replace("\"gaussian\"", "{ skewness = -0.5 }");
+    let skewed = asperity_scene::template().replace("\"gaussian\"", "{ skewness = -0.5 }");
     bench.write("skewed.toml", &skewed);
     let check = bench.data("check skewed.toml --format csv");
     assert!(check.contains("asperity_height_skewness,-0.5"), "{check}");
@@ -238,7 +238,7 @@ fn persson_is_compared_with_asperity_models_at_loads() {
     assert_eq!(run.code, Some(1), "{}", run.out);
     assert!(run.messages.contains("[no-value]"), "{}", run.messages);
     // With it, there are stiffnesses, and separations lead back to loads.
-    bench.write("hurst.toml", &format!("{}hurst_exponent = 0.8\n", asperity_inputs::template()));
+    bench.write("hurst.toml", &format!("{}hurst_exponent = 0.8\n", asperity_scene::template()));
     let loads = "curve hurst.toml --model persson,persson-fudge --pressure 1e6,1e7 --format csv";
     let data = bench.data(&format!("{loads} --quantity tangent"));
     let (gaps, tangents) = (column(&data, "separation_m"), column(&data, "tangent_N_per_m"));
@@ -281,7 +281,7 @@ fn models_of_the_whole_surface_have_no_asperity_warnings() {
 #[test]
 fn findings_about_the_scene_hide_none_about_results() {
     let bench = Bench::new();
-    let dense = asperity_inputs::template().replace("_density = 2e8 ", "_density = 2e9 ");
+    let dense = asperity_scene::template().replace("_density = 2e8 ", "_density = 2e9 ");
     bench.write("dense.toml", &dense);
     let forgotten = dense.replacen("\nhardness = 2e9\n\n# ...", "\n# ...", 1);
     bench.write("forgotten.toml", &forgotten);

@@ -4,7 +4,7 @@ use crate::bench::{Bench, cells, column};
 
 fn bench() -> Bench {
     let bench = Bench::new();
-    let template = asperity_inputs::template();
+    let template = asperity_scene::template();
     bench.write("equal.toml", template);
     let film = "separation_from = \"surface-mean\"";
     let from = template.replace("separation_from = \"asperity-mean\"", film);
@@ -50,7 +50,7 @@ fn another_joint_is_told_unless_a_counterface_makes_it_the_same() {
     let ask = "--model gw,gw-pairs --reference gw --load 100 --format csv";
     let run = bench.run(&format!("curve equal.toml {ask}"));
     assert!(run.messages.contains("[other-joint]"), "{}", run.messages);
-    let text = asperity_inputs::template();
+    let text = asperity_scene::template();
     let line = "# counterface = { sq = 4e-7, spd = 3e8, spc = 4e3 }";
     bench.write("both.toml", &text.replace(line, &line[2..]));
     let run = bench.run(&format!("curve both.toml {ask}"));
@@ -162,7 +162,7 @@ fn the_head_of_a_film_table_says_what_a_code_must_use() {
 #[test]
 fn flow_factors_beside_skewed_heights_have_a_warning() {
     let bench = Bench::new();
-    let skewed = asperity_inputs::template()
+    let skewed = asperity_scene::template()
         .replace("heights = \"gaussian\"", "heights = { skewness = -1 }\nmean_plane_offset = 1e-6");
     bench.write("skewed.toml", &skewed);
     for asked in [

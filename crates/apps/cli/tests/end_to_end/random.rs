@@ -5,7 +5,7 @@ use crate::bench::{Bench, cells, column};
 /// The template on a surface given by its moments.
 fn bench() -> Bench {
     let bench = Bench::new();
-    let template = asperity_inputs::template();
+    let template = asperity_scene::template();
     let scene =
         template.replace("\nasperity_radius = 2e-4 ", "\nm0 = 1.6e-13\nm2 = 2.5e-3\nm4 = 3e8\n# ");
     let scene =

@@ -8,7 +8,7 @@ use crate::bench::Bench;
 use crate::help::sh;
 
 /// The examples, below the root of the repository.
-const EXAMPLES: &str = "crates/answer/inputs/examples";
+const EXAMPLES: &str = "crates/answer/scene/examples";
 
 #[test]
 fn the_walk_throughs_show_the_real_output() {

@@ -6,7 +6,7 @@ use crate::surface::{json, scan};
 #[test]
 fn a_check_says_everything_once() {
     let bench = Bench::new();
-    let template = asperity_inputs::template();
+    let template = asperity_scene::template();
     let pair = "counterface = { sq = 4e-7, spd = 3e8, spc = 4e3 }\nheights = \"gaussian\"";
     bench.write("scene.toml", &template.replace("heights = \"gaussian\"", pair));
     for format in ["table", "csv", "json"] {

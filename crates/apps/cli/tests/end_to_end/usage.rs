@@ -80,7 +80,7 @@ fn bad_usage_ends_with_2_and_states_the_requirement() {
 #[test]
 fn bad_input_ends_with_1_and_names_the_place() {
     let bench = Bench::new();
-    let template = asperity_inputs::template();
+    let template = asperity_scene::template();
     let commands = [
         "curve bad.toml",
         "curve bad.toml --model ke --load 1",

@@ -40,7 +40,7 @@ pub(crate) fn check<'py>(
 }
 
 /// The check of the scene alone, if its warnings explain the refusal.
-fn explain(file: &asperity_inputs::SceneFile, error: &ContactError) -> Option<Check> {
+fn explain(file: &asperity_scene::SceneFile, error: &ContactError) -> Option<Check> {
     let mut checked = file.check(None).ok()?;
     checked.findings.iter().find(|found| found.severity < Severity::Note)?;
     let refusal = Finding::refusal(Code::NoValue, "answer", f64::NAN);
@@ -93,7 +93,7 @@ pub(crate) fn check_rows(asked: &Asked) -> Findings {
 pub(crate) fn check_scene(
     engine: &Engine,
     model: &Model,
-    file: &asperity_inputs::SceneFile,
+    file: &asperity_scene::SceneFile,
     places: impl IntoIterator<Item = At>,
 ) -> Findings {
     let mut found = file.findings().for_asperities(model.validity().asperities);

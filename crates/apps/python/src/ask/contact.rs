@@ -39,7 +39,7 @@ pub(crate) struct Contact {
     #[pyo3(get)]
     separation_unit: String,
     axis: Axis,
-    file: Arc<asperity_inputs::SceneFile>,
+    file: Arc<asperity_scene::SceneFile>,
     request: Request,
     compiled: Mutex<Arc<dyn asperity::Contact>>,
 }
@@ -236,7 +236,7 @@ impl Contact {
 fn compile(
     py: Python<'_>,
     engine: &Engine,
-    file: &asperity_inputs::SceneFile,
+    file: &asperity_scene::SceneFile,
     request: &Request,
 ) -> PyResult<Arc<dyn asperity::Contact>> {
     let model = engine.on(file)?;

@@ -6,7 +6,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity::{At, Case, ContactError, Datum, Finding, Findings, Scene, SeparationUnit, Severity};
-use asperity_inputs::SceneInput;
+use asperity_scene::SceneInput;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
@@ -18,7 +18,7 @@ use crate::scene::arguments::inputs;
 /// The `Rows` of the package, for threads without the interpreter.
 pub(crate) struct Rows {
     /// The scenes; a single one if columns of numbers vary it.
-    pub(crate) files: Vec<Arc<asperity_inputs::SceneFile>>,
+    pub(crate) files: Vec<Arc<asperity_scene::SceneFile>>,
     columns: Vec<(SceneInput, Vec<f64>)>,
     /// The index of each row's scene; empty for a single scene.
     index: Vec<i64>,
@@ -68,7 +68,7 @@ impl Rows {
     pub(crate) fn scene_file(
         &self,
         scene: usize,
-    ) -> Result<Cow<'_, asperity_inputs::SceneFile>, ContactError> {
+    ) -> Result<Cow<'_, asperity_scene::SceneFile>, ContactError> {
         if self.columns.is_empty() {
             return Ok(Cow::Borrowed(&self.files[scene]));
         }
@@ -80,7 +80,7 @@ impl Rows {
     pub(crate) fn file_of(
         &self,
         row: usize,
-    ) -> Result<Cow<'_, asperity_inputs::SceneFile>, ContactError> {
+    ) -> Result<Cow<'_, asperity_scene::SceneFile>, ContactError> {
         self.scene_file(self.place(row))
     }
 
@@ -124,7 +124,7 @@ impl Rows {
     }
 
     /// The single scene of all rows, with its options; none if there are several.
-    pub(crate) fn one_file(&self) -> Option<&asperity_inputs::SceneFile> {
+    pub(crate) fn one_file(&self) -> Option<&asperity_scene::SceneFile> {
         match &self.files[..] {
             [file] if self.columns.is_empty() => Some(file),
             _ => None,

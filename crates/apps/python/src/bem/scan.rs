@@ -13,7 +13,7 @@ use crate::topography::Topography;
 pub(super) struct Pressed {
     pub(super) bem: Bem,
     /// The scene of the scan, or one of a topography between two bodies, with its area.
-    pub(super) file: asperity_inputs::SceneFile,
+    pub(super) file: asperity_scene::SceneFile,
 }
 
 /// A surface, the two bodies of a topography, the form to remove, and how the scan is pressed.
@@ -50,7 +50,7 @@ impl Pressed {
         let periodic = topography.0.is_periodic() || given.boundary == Some(Continuation::Periodic);
         let scan = topography.0.clone().with_periodic(periodic);
         let levelled = scan.levelled(level).map_err(value_error)?;
-        let map = asperity_inputs::height_map(&levelled).map_err(|error| {
+        let map = asperity_scene::height_map(&levelled).map_err(|error| {
             match levelled.missing_share() > 0.0 {
                 true => value_error(format!("{error}: use Topography.fill()")),
                 false => value_error(error),
@@ -59,7 +59,7 @@ impl Pressed {
         // Boundary elements use no asperities.
         let none = asperity::Surface::new(1.0, 1.0, 1.0);
         let scene = asperity::Scene::new(interface, none, map.area());
-        let file = asperity_inputs::SceneFile::from(scene).pressing_scan(levelled);
+        let file = asperity_scene::SceneFile::from(scene).pressing_scan(levelled);
         Self::of_scene(surface.py(), file, given)
     }
 
@@ -67,7 +67,7 @@ impl Pressed {
     /// match.
     pub(super) fn of_scene(
         py: Python<'_>,
-        file: asperity_inputs::SceneFile,
+        file: asperity_scene::SceneFile,
         given: BemOptions,
     ) -> PyResult<Self> {
         let file = file.pressing(given);

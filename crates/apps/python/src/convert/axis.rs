@@ -94,7 +94,7 @@ impl Axis {
             _ => "separation_unit=\"m\" takes metres",
         };
         let mistaken =
-            |number| asperity_inputs::mistaken_unit(name, number, unit, height_std, remedy);
+            |number| asperity_scene::mistaken_unit(name, number, unit, height_std, remedy);
         let largest = if let [one] = numbers { one.abs() } else { largest_magnitude(numbers) };
         // Most arrays need no search for the number.
         mistaken(largest)?;
@@ -107,7 +107,7 @@ impl Axis {
         py: Python<'_>,
         name: &str,
         numbers: &[f64],
-        file: &asperity_inputs::SceneFile,
+        file: &asperity_scene::SceneFile,
         above: usize,
     ) -> PyResult<()> {
         let mistaken = self.mistaken_unit(name, numbers, file.scene.surface.asperity_height_std);

@@ -22,9 +22,9 @@ pub(crate) fn scalar(number: &Object<'_>) -> Option<f64> {
 /// An argument `name` of `owner` as a number in SI units, from a number or a text with a unit that
 /// fits the key of this name in scene files.
 pub(crate) fn number(owner: &str, name: &str, given: &Object<'_>) -> PyResult<f64> {
-    let has_unit = asperity_inputs::unit_of(name).is_some();
+    let has_unit = asperity_scene::unit_of(name).is_some();
     if let Some(text) = given.cast::<PyString>().ok().filter(|_| has_unit) {
-        let read = |text: &str| asperity_inputs::quantity_of(name, text);
+        let read = |text: &str| asperity_scene::quantity_of(name, text);
         return with_unit(text.to_str()?, read).map_err(|error| {
             PyTypeError::new_err(format!("{owner}: {name}: {}", error.value(given.py())))
         });
@@ -48,7 +48,7 @@ pub(crate) fn argument<'a, 'py, T: FromPyObject<'a, 'py, Error = PyErr>>(
 
 /// The error about an argument that is no number.
 pub(crate) fn no_number(owner: &str, name: &str, shown: &str) -> PyErr {
-    let needed = asperity_inputs::unit_of(name)
+    let needed = asperity_scene::unit_of(name)
         .map_or(String::new(), |unit| format!(" in {unit}, or a text with a unit"));
     PyTypeError::new_err(format!("{owner}: {name} is {shown}: give a number{needed}"))
 }
@@ -65,7 +65,7 @@ fn with_unit(text: &str, read: impl Fn(&str) -> Result<f64, String>) -> PyResult
 /// A text with a unit as a number in an SI unit.
 #[pyfunction]
 pub(crate) fn quantity(text: &str, si: &str) -> PyResult<f64> {
-    with_unit(text, |text| asperity_inputs::quantity(text, si))
+    with_unit(text, |text| asperity_scene::quantity(text, si))
 }
 
 /// Texts with a unit, "100 nm" or a sequence of them, as numbers in an SI unit, by the package;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use asperity::bem::Bem;
 use asperity::{Asperities, Citation, Code, ContactError, Model, Quantity, testkit};
 use asperity_answer::{AnswerError, Sheet, models};
-use asperity_inputs::{ModelOptions, SceneFile};
+use asperity_scene::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
@@ -21,7 +21,7 @@ pub(crate) struct Engine(Kind);
 
 /// The origin of a model.
 enum Kind {
-    Named { id: String, given: BTreeMap<String, asperity_inputs::OptionValue> },
+    Named { id: String, given: BTreeMap<String, asperity_scene::OptionValue> },
     Python { model: Model, raised: Raised },
 }
 
@@ -300,7 +300,7 @@ pub(crate) fn model_ids() -> Vec<String> {
 /// The head of a table's column for an input of scenes.
 #[pyfunction]
 pub(crate) fn column_of(input: &str) -> String {
-    asperity_inputs::column_of(input)
+    asperity_scene::column_of(input)
 }
 
 /// Table columns by the names of quantities; without names, of all.

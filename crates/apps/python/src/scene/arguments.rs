@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use asperity_inputs::{SceneInput, key_of_input};
+use asperity_scene::{SceneInput, key_of_input};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -18,7 +18,7 @@ pub(crate) enum KeyValue {
     Keys(BTreeMap<String, KeyValue>),
 }
 
-impl From<KeyValue> for asperity_inputs::OptionValue {
+impl From<KeyValue> for asperity_scene::OptionValue {
     fn from(value: KeyValue) -> Self {
         match value {
             KeyValue::Text(text) => text.into(),
@@ -30,17 +30,17 @@ impl From<KeyValue> for asperity_inputs::OptionValue {
 }
 
 /// Keys with their values.
-pub(crate) fn keys_of(given: BTreeMap<String, KeyValue>) -> asperity_inputs::Keys {
+pub(crate) fn keys_of(given: BTreeMap<String, KeyValue>) -> asperity_scene::Keys {
     given.into_iter().map(|(name, value)| (name, value.into())).collect()
 }
 
 /// Heights as the value of their key: a name, a skewness, or a table of heights [m] and densities
 /// [1/m].
-pub(crate) fn heights_key(given: &Object<'_>) -> PyResult<asperity_inputs::OptionValue> {
+pub(crate) fn heights_key(given: &Object<'_>) -> PyResult<asperity_scene::OptionValue> {
     if let Ok((heights, densities)) = given.extract::<(Vec<f64>, Vec<f64>)>() {
         let columns = [("height_m", heights), ("density_per_m", densities)];
         let column = |(name, column): (&str, Vec<f64>)| (name.into(), column.into());
-        return Ok(asperity_inputs::Keys::from_iter(columns.map(column)).into());
+        return Ok(asperity_scene::Keys::from_iter(columns.map(column)).into());
     }
     Ok(argument::<KeyValue>("heights", given)?.into())
 }
@@ -48,7 +48,7 @@ pub(crate) fn heights_key(given: &Object<'_>) -> PyResult<asperity_inputs::Optio
 /// The inputs of these names of a scene; an error for an unknown name, or for numbers beside
 /// others that determine them.
 pub(crate) fn inputs<'n>(
-    file: &asperity_inputs::SceneFile,
+    file: &asperity_scene::SceneFile,
     names: impl Iterator<Item = &'n String>,
 ) -> PyResult<Vec<SceneInput>> {
     file.inputs(names.map(String::as_str)).map_err(value_error)
@@ -56,13 +56,13 @@ pub(crate) fn inputs<'n>(
 
 /// The values of inputs by name, with numbers in SI units in the place of texts with a unit.
 pub(crate) fn inputs_in_si<'py>(
-    file: &asperity_inputs::SceneFile,
+    file: &asperity_scene::SceneFile,
     given: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyDict>> {
     inputs(file, given.keys().extract::<Vec<String>>()?.iter())?;
     let found = given.copy()?;
     for (name, value) in given {
-        let unit = asperity_inputs::unit_of(key_of_input(name.extract()?));
+        let unit = asperity_scene::unit_of(key_of_input(name.extract()?));
         if let Some(unit) = unit {
             found.set_item(name, in_si(&value, unit)?)?;
         }

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use asperity::{Code, ContactError, HeightDistribution, Quantity};
-use asperity_inputs::Bodies;
+use asperity_scene::Bodies;
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
@@ -57,7 +57,7 @@ use arguments::{KeyValue, heights_key, inputs, inputs_in_si, keys_of};
 /// >>> scene.replace(hardness="2.24 GPa").interface.hardness
 /// 2240000000.0
 #[pyclass(frozen, name = "Scene", module = "asperity")]
-pub(crate) struct SceneFile(pub(crate) Arc<asperity_inputs::SceneFile>);
+pub(crate) struct SceneFile(pub(crate) Arc<asperity_scene::SceneFile>);
 
 #[pymethods]
 impl SceneFile {
@@ -96,13 +96,13 @@ impl SceneFile {
         let bodies = Bodies::of(records::bodies(interface)?, of_pair);
         let area = number("Scene", "nominal_area", nominal_area)?;
         let options = keys_of(options.unwrap_or_default());
-        let sections: [(_, asperity_inputs::OptionValue); 3] = [
+        let sections: [(_, asperity_scene::OptionValue); 3] = [
             ("surface", of_surface.into()),
             ("options", options.into()),
             ("accept", accept.into()),
         ];
         let keys = sections.map(|(name, value)| (name.to_string(), value)).into_iter().collect();
-        let made = asperity_inputs::SceneFile::with_keys(&bodies, area, keys);
+        let made = asperity_scene::SceneFile::with_keys(&bodies, area, keys);
         Ok(Self(Arc::new(made.map_err(value_error)?)))
     }
 
@@ -112,7 +112,7 @@ impl SceneFile {
     #[pyo3(signature = (path, accept=vec![]), text_signature = "(path, accept=())")]
     fn from_toml(py: Python<'_>, path: PathBuf, accept: Vec<String>) -> PyResult<Self> {
         found(&path)?;
-        Self::read(py, py.detach(|| asperity_inputs::load(&path)), &accept)
+        Self::read(py, py.detach(|| asperity_scene::load(&path)), &accept)
     }
 
     /// Reads a scene from the text of a scene file; relative paths in it begin at ``directory``.
@@ -127,7 +127,7 @@ impl SceneFile {
         directory: PathBuf,
         accept: Vec<String>,
     ) -> PyResult<Self> {
-        Self::read(py, py.detach(|| asperity_inputs::parse(text, &directory)), &accept)
+        Self::read(py, py.detach(|| asperity_scene::parse(text, &directory)), &accept)
     }
 
     /// The two bodies.
@@ -347,7 +347,7 @@ impl SceneFile {
 impl SceneFile {
     fn read(
         py: Python<'_>,
-        read: Result<asperity_inputs::SceneFile, asperity_inputs::SceneError>,
+        read: Result<asperity_scene::SceneFile, asperity_scene::SceneError>,
         accept: &[String],
     ) -> PyResult<Self> {
         let codes = accept.iter().map(|name| Code::named(name)).collect::<Result<Vec<_>, _>>();
@@ -360,5 +360,5 @@ impl SceneFile {
 /// A commented scene file with every key.
 #[pyfunction]
 pub(crate) fn template() -> &'static str {
-    asperity_inputs::template()
+    asperity_scene::template()
 }

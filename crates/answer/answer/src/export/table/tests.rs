@@ -3,7 +3,7 @@
 use asperity::{
     Evaluation, HeightDistribution, Interface, Model, Scene, Surface, TabulatedHeights, Tolerance,
 };
-use asperity_inputs::SceneFile;
+use asperity_scene::SceneFile;
 
 use super::*;
 

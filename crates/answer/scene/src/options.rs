@@ -1,0 +1,217 @@
+//! Options of the models for scene files, keywords and command lines.
+
+use asperity::bem::{BemOptions, Continuation};
+use asperity::film::friction_factor;
+use asperity::recommended::BEM;
+use asperity::{
+    AbdoFarhang, AminiTehrani, AngleDensity, AtReading, ContactError, Described, Displacement,
+    FlowPressure, ForceComponent, Gao, LateralOptions, Model, Persson, Spectrum, Stick,
+};
+use serde::{Deserialize, Serialize};
+use toml::{Table, Value};
+
+use crate::document::{Document, Files};
+use crate::error::{Place, SceneError};
+use crate::keys::{joined, keys_of};
+use crate::measured::ScanSpectrum;
+
+/// Variants of the models; the defaults are the models' own.
+///
+/// As a scene file's `[options]`, as keywords and in serde formats, it is a map from the names of
+/// these fields to values, each optional: a name, a number, or named numbers.
+///
+/// ```
+/// use std::collections::BTreeMap;
+///
+/// use asperity_scene::ModelOptions;
+///
+/// let mut options = ModelOptions::default();
+/// options.set("force", &"vertical".into())?;
+/// options.set("displacement", &BTreeMap::from([("zeta", 0.1), ("xi", 0.1)]).into())?;
+/// assert_eq!(options.model("at")?.options().unwrap()["force"], "vertical");
+/// let mistyped = options.set("force", &"verticle".into()).unwrap_err();
+/// assert!(mistyped.to_string().contains("the nearest is \"vertical\""));
+/// # Ok::<(), asperity_scene::SceneError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ModelOptions {
+    /// The distribution of the contact normals of Gao and AT.
+    #[serde(with = "AngleChoice")]
+    pub angle_density: AngleDensity,
+    /// The tangential displacements of Gao and AT.
+    pub displacement: Displacement,
+    /// Whether friction limits the tangential forces of Gao and AT.
+    pub stick: Stick,
+    /// Which force Gao and AT sum.
+    pub force: ForceComponent,
+    /// The pressure under AF's embedded plastic asperity.
+    pub af_flow_pressure: FlowPressure,
+    /// H, from 0.1 to 1: the power-law spectrum of the mean gaps and stiffnesses of `persson` and
+    /// `persson-fudge`. With a scan, it replaces the scan's spectrum, with a warning.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hurst_exponent: Option<f64>,
+    /// The least gap over the standard deviation of the surface heights that carries fluid in the
+    /// friction factor of a film; 0.01 by default.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction_cut_off: Option<f64>,
+    /// What lies beyond the edges of the scan that `bem` presses; by default as
+    /// [`Continuation::of`] says, and repetition of a scan that is declared periodic.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub boundary: Option<Continuation>,
+    /// Whether `bem` ignores the hardness.
+    pub elastic: bool,
+}
+
+/// The options with the ids of their models on equal asperities; none for the film.
+const OF_MODELS: [(&str, &[&str]); 9] = [
+    ("angle_density", LATERAL),
+    ("displacement", LATERAL),
+    ("stick", LATERAL),
+    ("force", LATERAL),
+    ("af_flow_pressure", &["af"]),
+    ("hurst_exponent", &["persson", "persson-fudge"]),
+    ("friction_cut_off", &[]),
+    ("boundary", &[BEM]),
+    ("elastic", &[BEM]),
+];
+const LATERAL: &[&str] = &["gao", "at", "at-additive", "at-overlap"];
+
+/// The spelling of `angle_density`.
+#[derive(Serialize, Deserialize)]
+#[serde(
+    remote = "AngleDensity",
+    rename_all = "kebab-case",
+    deny_unknown_fields,
+    expecting = "\"upright\" or { a20 = -0.5, a21 = 1.0, b21 = 1.0 }"
+)]
+enum AngleChoice {
+    Upright,
+    #[serde(untagged)]
+    Harmonic {
+        a20: f64,
+        a21: f64,
+        b21: f64,
+    },
+}
+
+impl ModelOptions {
+    /// Sets one option; on error, no option changes.
+    ///
+    /// # Errors
+    /// [`SceneError::UnknownKey`] and [`SceneError::Value`], with a similar name and the values
+    /// allowed.
+    pub fn set(&mut self, name: &str, value: &Value) -> Result<(), SceneError> {
+        let text = format!("{} = {value}\n", Value::from(name));
+        *self = self.with_keys(&Document::new(None, Files::Nowhere, &text)?, "")?;
+        Ok(())
+    }
+
+    /// Checks that an option changes the model of an id.
+    ///
+    /// # Errors
+    /// [`SceneError::Refused`] with the ids that the option is for.
+    pub fn check_for(id: &str, option: &str) -> Result<(), SceneError> {
+        let model: Option<Model> = id.parse().ok();
+        let of_id = model.as_ref().map_or(id, |model| model.equal().id());
+        let known = OF_MODELS.iter().find(|(name, _)| *name == option);
+        let ids = known.map_or(&[][..], |(_, ids)| ids);
+        let which = if ids.is_empty() { "scenes".into() } else { ids.join(", ") };
+        let refused = || SceneError::Refused {
+            at: Place::field(option).into(),
+            reason: format!("does not change {id}; it is an option of {which}"),
+        };
+        ids.contains(&of_id).then_some(()).ok_or_else(refused)
+    }
+
+    /// The options that differ from the defaults, by name.
+    #[must_use]
+    pub fn changed(&self) -> Table {
+        let [all, defaults] =
+            [*self, Self::default()].map(|options| Table::try_from(options).unwrap_or_default());
+        all.into_iter().filter(|(name, value)| defaults.get(name) != Some(value)).collect()
+    }
+
+    /// How boundary elements press a scan.
+    #[must_use]
+    pub fn bem(&self) -> BemOptions {
+        BemOptions { boundary: self.boundary, elastic: self.elastic }
+    }
+
+    fn lateral(&self) -> LateralOptions {
+        let Self { angle_density, displacement, stick, force, .. } = *self;
+        LateralOptions { angle_density, displacement, stick, force }
+    }
+
+    /// These options with those of a section.
+    pub(crate) fn with_keys(
+        &self,
+        document: &Document<'_>,
+        section: &str,
+    ) -> Result<Self, SceneError> {
+        let known = keys_of("options");
+        document.check_keys(section, &known)?;
+        let so_far = Table::try_from(self).unwrap_or_default();
+        let options: Self = document.read_over(section, &known, so_far)?;
+        options.check(document, section)?;
+        Ok(options)
+    }
+
+    /// Checks the ranges of the numbers; `section` is their section in errors.
+    fn check(&self, document: &Document<'_>, section: &str) -> Result<(), SceneError> {
+        let at = |option: &str| joined(section, option);
+        self.angle_density.check().map_err(document.refused(&at("angle_density")))?;
+        if let Some(hurst) = self.hurst_exponent {
+            Spectrum::check_hurst(hurst).map_err(document.refused(section))?;
+        }
+        if let Some(cut_off) = self.friction_cut_off {
+            friction_factor(1.0, cut_off).map_err(document.refused(section))?;
+        }
+        if let Displacement::Given { zeta, xi } = self.displacement {
+            for (field, value) in [("zeta", zeta), ("xi", xi)] {
+                if !(value >= 0.0 && value.is_finite()) {
+                    let required = "a finite number, at least 0,";
+                    let error = ContactError::OutOfRange { field, value, required };
+                    return Err(document.refused(&at("displacement"))(error));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The model of an id, with these options.
+    ///
+    /// # Errors
+    /// [`SceneError::Refused`] for an unknown id, with a similar id and all ids.
+    pub fn model(&self, id: &str) -> Result<Model, SceneError> {
+        self.model_beside(|| None, id)
+    }
+
+    /// The model of an id, with these options; a theory of the whole surface gets the spectrum of a
+    /// scan, or the reason why there is none.
+    pub(crate) fn model_beside(
+        &self,
+        spectrum: impl FnOnce() -> Option<ScanSpectrum>,
+        id: &str,
+    ) -> Result<Model, SceneError> {
+        let at = |reading| Model::known(AminiTehrani { reading, options: self.lateral() });
+        let known: Model = id
+            .parse()
+            .map_err(|error| SceneError::from_contact(error, |_| Place::field("model").into()))?;
+        let model = match known.equal().id() {
+            "af" => Model::known(AbdoFarhang { flow_pressure: self.af_flow_pressure }),
+            "gao" => Model::known(Gao { options: self.lateral() }),
+            "at" => at(AtReading::Printed),
+            "at-additive" => at(AtReading::Additive),
+            "at-overlap" => at(AtReading::Overlap),
+            id => match Persson::variance_of(id) {
+                Some(variance) => {
+                    let hurst_exponent = self.hurst_exponent;
+                    Model::known(Persson { variance, hurst_exponent, spectrum: spectrum() })
+                }
+                None => known.equal().clone(),
+            },
+        };
+        Ok(model.on(known.asperities()))
+    }
+}

@@ -1,0 +1,179 @@
+//! Scene files: from a text to what was written, and to its scene.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use asperity::{Code, Datum, Finding, Findings, TabulatedHeights};
+
+use crate::accept;
+use crate::document::{Document, Files, HandedFiles};
+use crate::error::{Place, SceneError};
+use crate::gap::gas;
+use crate::height_map::height_map;
+use crate::heights::{HeightsKey, compare_std};
+use crate::interface::bodies;
+use crate::keys::{COUNTERFACE, joined};
+use crate::options::ModelOptions;
+use crate::resolve::resolve;
+use crate::scans::{Asked, Scans, density};
+use crate::scene_file::SceneFile;
+use crate::spec::{HeightsSpec, SceneSpec};
+use crate::surface::{Surfaces, notes, refused, surfaces};
+use crate::text_file::read_text;
+
+/// Reads a scene file and the files that it names.
+///
+/// # Errors
+/// [`SceneError`] with the file, the line, the field, the value found and the value needed.
+pub fn load(path: impl AsRef<Path>) -> Result<SceneFile, SceneError> {
+    load_with(path.as_ref(), Asked::Asperities)
+}
+
+/// [`load`] for [boundary elements](SceneFile::bem) and `persson`, which need no asperities: of a
+/// sphere, a wave or a step, for example. The surface of such a scene only has the rms height and
+/// slope of the scan, and [`SceneFile::model`] refuses models of asperities with the reason. With
+/// `periodic` the scan is declared periodic, whatever the file says.
+///
+/// # Errors
+/// Those of [`load`], except that of a scan without asperities.
+pub fn load_scan(path: impl AsRef<Path>, periodic: bool) -> Result<SceneFile, SceneError> {
+    load_with(path.as_ref(), Asked::Scan { periodic })
+}
+
+fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
+    let named = || Place { file: Some(path.to_path_buf()), ..Place::field("the scene file") };
+    let advice = format!(
+        "`asperity init` writes a scene, and `asperity surface {} --scene scene.toml` makes one of a scan",
+        path.display()
+    );
+    let read = || {
+        let text = read_text(path, &advice, named)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        scene_file(&Document::new(Some(path), Files::In(folder), &text)?, asked)
+    };
+    read().map_err(|error| match error {
+        SceneError::Refused { at, reason } if path.extension().is_none_or(|end| end != "toml") => {
+            SceneError::Refused { at, reason: format!("{reason}; {advice}") }
+        }
+        error => error,
+    })
+}
+
+/// Reads a scene from its text; relative paths in it are relative to `directory`.
+///
+/// ```
+/// use asperity::{ContactModel, Quantity, Request};
+/// use asperity_scene::{parse, template};
+///
+/// let file = parse(template(), std::path::Path::new("."))?;
+/// let answer = file.model("ke")?.solve(&file.scene, &Request::new([Quantity::Force]).at([2.0]));
+/// assert!(answer.is_ok());
+/// let mistyped = template().replace("nominal_area", "nominal_aera");
+/// let error = parse(&mistyped, std::path::Path::new(".")).unwrap_err().to_string();
+/// assert!(error.contains("the nearest is \"nominal_area\""));
+/// # Ok::<(), asperity_scene::SceneError>(())
+/// ```
+///
+/// # Errors
+/// Those of [`load`], without a file's name.
+pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
+    scene_file(&Document::new(None, Files::In(directory), text)?, Asked::Asperities)
+}
+
+/// Reads a scene from its text and the bytes of the files that it names: where there is no file
+/// system, as in a browser.
+///
+/// # Errors
+/// Those of [`parse`]; [`SceneError::Unreadable`] for a file that is not among `files`.
+pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneError> {
+    scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
+}
+
+/// What a document says of its scene.
+fn spec(
+    document: &Document<'_>,
+    asked: Asked,
+) -> Result<(SceneSpec, Option<Scans>, HeightsKey), SceneError> {
+    document.check_sections()?;
+    let options = ModelOptions::default().with_keys(document, "options")?;
+    let nominal_area = document.needed_number("nominal_area")?;
+    let names: Vec<String> = document.get("accept")?.unwrap_or_default();
+    let accept = accept::codes(document, &names)?;
+    let bodies = bodies(document)?;
+    let key: HeightsKey = document.get("surface.heights")?.unwrap_or_default();
+    let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
+    let table = key.table(document)?;
+    let table_std = table.as_ref().map(TabulatedHeights::standard_deviation);
+    let Surfaces { first, second, scans } = surfaces(document, &key, table_std, asked)?;
+    let heights = key.spec(document, table)?;
+    let pressed = scans.as_ref().and_then(|scans| scans.sum.clone());
+    let gas = gas(document)?;
+    let spec = SceneSpec {
+        counterface: second,
+        pressed,
+        heights,
+        separation_from,
+        gas,
+        options,
+        accept,
+        ..SceneSpec::new(bodies, first, nominal_area)
+    };
+    Ok((spec, scans, key))
+}
+
+pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
+    let (mut spec, scans, key) = spec(document, asked)?;
+    let resolved = |spec: &SceneSpec| resolve(spec).map_err(|fault| refused(document, spec, fault));
+    let (mut scene, measured) = resolved(&spec)?;
+    let mut found = vec![];
+    if let Some((scans, together)) = scans.as_ref().zip(measured.as_ref()) {
+        let no_asperities = together.statistics.surface().err();
+        // Only models without asperities are valid for it.
+        if let Some(reason) = no_asperities.as_ref().filter(|_| asked == Asked::Asperities) {
+            return Err(scans.refused(document, reason));
+        }
+        found.extend(scans.notes(document, &together.statistics));
+        let is_measured = spec.heights.is_measured && no_asperities.is_none();
+        if let Some(scan) = spec.scan().filter(|_| is_measured) {
+            let points = density(scan).map_err(|reason| scans.refused(document, &reason))?;
+            let table = TabulatedHeights::new("measured", &points);
+            let table = table.map_err(document.refused("surface"))?;
+            spec.heights = HeightsSpec { is_measured, ..HeightsSpec::of_table(table) };
+            (scene, _) = resolved(&spec)?;
+        }
+    }
+    found.extend(notes(document, &spec, &scene));
+    if let (Some(table), false) = (&spec.heights.table, matches!(key, HeightsKey::Measured)) {
+        found.extend(compare_std(document, table, scene.surface.asperity_height_std)?);
+    }
+    let offset = measured.as_ref().and_then(|found| found.statistics.mean_plane_offset);
+    let of_table = spec.heights.table.is_some();
+    for section in ["surface", COUNTERFACE].into_iter().filter(|_| of_table || offset.is_some()) {
+        let key = joined(section, "mean_plane_offset");
+        if document.has(&key) {
+            let source = if of_table { "surface.heights" } else { "surface.file" };
+            let needed = "one of the two: the offset follows from measured heights";
+            return Err(document.conflict(&key, source, needed));
+        }
+    }
+    let is_map = spec.scan().is_some_and(|scan| height_map(scan).is_ok());
+    if let Some(exponent) = spec.options.hurst_exponent.filter(|_| is_map) {
+        let at = document.place("options.hurst_exponent");
+        let note = Finding::warning(Code::HurstExponent, "hurst_exponent", exponent)
+            .fact("persson and persson-fudge use a power law instead of the spectrum of the scan")
+            .advice("remove hurst_exponent to use the spectrum of the scan");
+        found.push(note.from_origin(at.to_string()));
+    }
+    let warnings = found.into_iter().collect::<Findings>().silenced(&spec.accept);
+    let mut origin = document.origin.clone();
+    let scans = spec.surfaces().filter_map(|(_, one)| one.scan()?.source.as_ref());
+    let files = scans.map(|(path, _)| path).chain(&spec.heights.file);
+    origin.files = files.cloned().collect();
+    let file = SceneFile { spec, scene, measured, warnings, origin: Some(Arc::new(origin)) };
+    match file.no_mean_plane() {
+        Some(needed) => {
+            Err(document.conflict("surface.separation_from", "surface.heights", needed))
+        }
+        None => Ok(file),
+    }
+}

@@ -1,0 +1,291 @@
+//! Writer of scenes as text that reads back bit for bit.
+
+use std::fs;
+use std::path::Path;
+
+use asperity::{Body, Datum, HeightDistribution};
+use toml::{Table, Value};
+
+use crate::document::{Document, Files};
+use crate::error::{Place, SceneError};
+use crate::heights::write_heights;
+use crate::keys::{BODY, Key, joined, keys_of};
+use crate::materials::Material;
+use crate::measured::Scan;
+use crate::read::scene_file;
+use crate::roughness::{Roughness, Way};
+use crate::scans::Asked;
+use crate::scene_file::SceneFile;
+use crate::spec::{Bodies, Description, SurfaceSpec};
+use crate::template::template;
+
+impl SceneFile {
+    /// The text of a scene file that [`parse`](crate::parse) reads back bit for bit, with what was
+    /// written of the scene or changed since; `comments` are written at its head, one per line.
+    /// Numbers are in SI units, a table of heights is part of the text, and paths of scans are
+    /// absolute.
+    ///
+    /// ```
+    /// use asperity_scene::{parse, template};
+    /// use std::path::Path;
+    ///
+    /// let file = parse(template(), Path::new("."))?;
+    /// let area = file.inputs(["nominal_area"])?[0];
+    /// let twice = file.with_inputs([(area, 2e-4)]).unwrap();
+    /// let again = parse(&twice.to_toml(&["twice the area"])?, Path::new("."))?;
+    /// assert_eq!(again.scene.nominal_area.to_bits(), 2e-4f64.to_bits());
+    /// assert_eq!(again.scene.interface, file.scene.interface);
+    /// # Ok::<(), asperity_scene::SceneError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SceneError::Unwritable`] for heights that a file cannot represent.
+    pub fn to_toml(&self, comments: &[&str]) -> Result<String, SceneError> {
+        self.text(None, comments)
+    }
+
+    /// Writes [`to_toml`](Self::to_toml) to a file and returns the text. A table of heights is
+    /// written to a CSV file in the same folder: `scene.csv` for `scene.toml`.
+    ///
+    /// # Errors
+    /// Those of [`to_toml`](Self::to_toml), and [`SceneError::Unwritable`] with the system's
+    /// reason.
+    pub fn save(&self, path: &Path, comments: &[&str]) -> Result<String, SceneError> {
+        let at = || Place { file: Some(path.into()), ..Place::field("the scene file") };
+        let written = |path: &Path, text: &str| {
+            let at = Place { file: Some(path.into()), ..at() };
+            fs::write(path, text).map_err(|error| unwritable(at, &error.to_string()))
+        };
+        let table = self.table().filter(|_| !self.spec.heights.is_measured);
+        let Some(table) = table else {
+            let text = self.to_toml(comments)?;
+            written(path, &text)?;
+            return Ok(text);
+        };
+        let beside = path.with_extension("csv");
+        let name = beside.file_name().and_then(|name| name.to_str()).filter(|_| beside != path);
+        let needed = "its name must be valid UTF-8 and must not end in .csv";
+        let text = self.text(Some(name.ok_or_else(|| unwritable(at(), needed))?), comments)?;
+        written(&beside, &write_heights(table.points()))?;
+        written(path, &text)?;
+        Ok(text)
+    }
+
+    /// The scene of these bodies and this area with the other sections that these keys describe:
+    /// `surface`, `options`, `accept`.
+    ///
+    /// # Errors
+    /// Those of [`parse`](crate::parse), without lines.
+    pub fn with_keys(bodies: &Bodies, nominal_area: f64, keys: Table) -> Result<Self, SceneError> {
+        let mut top = bodies.keys();
+        top.insert("nominal_area".into(), nominal_area.into());
+        top.extend(keys);
+        let text = top.to_string();
+        scene_file(&Document::new(None, Files::Nowhere, &text)?, Asked::Asperities)
+    }
+
+    /// The keys of `[surface]` of a surface that three numbers of its own do not describe: known
+    /// within ranges, beside a counterface, or given with a plasticity index.
+    #[must_use]
+    pub fn keys_beyond_numbers(&self) -> Option<Table> {
+        let has_scan = self.spec.surfaces().any(|(_, one)| one.scan().is_some());
+        let by_index = |one: Roughness| one.way == Way::PlasticityIndex;
+        let is_drawn = self.spec.surface.drawing().is_some();
+        let is_beyond = is_drawn
+            || self.spec.counterface.is_some()
+            || self.spec.surface.roughness().is_some_and(by_index);
+        (is_beyond && !has_scan).then(|| self.surface_keys())
+    }
+
+    /// The text; a table of heights is in this file, or in the text.
+    fn text(&self, heights: Option<&str>, comments: &[&str]) -> Result<String, SceneError> {
+        let note = |line: &str| format!("# {}\n", line.replace(|c: char| c.is_control(), " "));
+        let text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
+        let spec = &self.spec;
+        let mut top = spec.bodies.keys();
+        top.insert("nominal_area".into(), spec.nominal_area.into());
+        let mut surface = self.surface_keys();
+        surface.extend(self.heights_key(heights)?.map(|key| ("heights".into(), key)));
+        if spec.separation_from == Datum::SurfaceMean {
+            surface.insert("separation_from".into(), "surface-mean".into());
+        }
+        let offset = spec.surface.mean_plane_offset;
+        surface.extend(offset.map(|offset| ("mean_plane_offset".into(), offset.into())));
+        top.insert("surface".into(), surface.into());
+        if !spec.accept.is_empty() {
+            let names: Vec<&str> = spec.accept.iter().map(|code| code.name()).collect();
+            top.insert("accept".into(), names.into());
+        }
+        if let Some(gas) = spec.gas {
+            top.insert("gap".into(), Table::try_from(gas).unwrap_or_default().into());
+        }
+        top.insert("options".into(), spec.options.changed().into());
+        let mut sections = String::new();
+        for name in ["body", "interface", "surface", "gap", "options"] {
+            let header = if name == "body" { "[[body]]" } else { &format!("[{name}]") };
+            let all = match top.remove(name) {
+                Some(Value::Array(bodies)) => bodies,
+                section => section.into_iter().collect(),
+            };
+            let tables = all.iter().filter_map(Value::as_table).filter(|keys| !keys.is_empty());
+            for keys in tables {
+                sections += &format!("\n{header}\n{}", lines(name, keys));
+            }
+        }
+        Ok(text + &lines("", &top) + &sections)
+    }
+
+    /// The keys that describe both surfaces, but for the heights and the plane of separations.
+    fn surface_keys(&self) -> Table {
+        let (first, second) = (&self.spec.surface, self.spec.counterface.as_ref());
+        let mut keys = first.keys();
+        let Some(second) = second else { return keys };
+        let sources = [first, second].map(|one| one.scan().and_then(|scan| scan.source.as_ref()));
+        match sources {
+            [Some((one, own)), Some((two, other))] if own == other && !second.has_own() => {
+                keys.remove("file");
+                let files = [one, two].map(|path| Value::from(&*path.to_string_lossy()));
+                keys.insert("files".into(), files.to_vec().into());
+            }
+            _ => {
+                let mut others = second.keys();
+                let offset = second.mean_plane_offset;
+                others.extend(offset.map(|offset| ("mean_plane_offset".into(), offset.into())));
+                keys.insert("counterface".into(), others.into());
+            }
+        }
+        keys
+    }
+
+    /// `heights`; none of Gaussian ones.
+    fn heights_key(&self, file: Option<&str>) -> Result<Option<Value>, SceneError> {
+        let named = |name: &str, value: Value| Table::from_iter([(name.into(), value)]).into();
+        Ok(match (&self.spec.heights.distribution, self.table(), file) {
+            (HeightDistribution::Gaussian, ..) => None,
+            (HeightDistribution::Exponential, ..) => Some("exponential".into()),
+            (HeightDistribution::Weibull(heights), ..) => {
+                Some(named("skewness", heights.skewness().into()))
+            }
+            (_, Some(_), _) if self.spec.heights.is_measured => Some("measured".into()),
+            (_, Some(_), Some(file)) => Some(named("file", file.into())),
+            (_, Some(table), None) => {
+                let (heights, densities): (Vec<f64>, Vec<f64>) =
+                    table.points().iter().copied().unzip();
+                let columns = [("height_m", heights), ("density_per_m", densities)];
+                let column = |(name, column): (&str, Vec<f64>)| (name.into(), Value::from(column));
+                Some(Table::from_iter(columns.map(column)).into())
+            }
+            (heights, ..) => {
+                let reason = format!("{}: a density that is not a table", heights.name());
+                return Err(unwritable(Place::field("surface.heights"), &reason));
+            }
+        })
+    }
+}
+
+impl Bodies {
+    /// The keys of the bodies or of their interface.
+    fn keys(&self) -> Table {
+        let Self::Each { bodies, materials, work_of_adhesion } = self else {
+            let Self::Interface(interface) = self else { return Table::new() };
+            let interface = Table::try_from(interface).unwrap_or_default();
+            return Table::from_iter([("interface".into(), interface.into())]);
+        };
+        let each = bodies.iter().zip(materials);
+        let each: Vec<Table> = each.map(|(body, material)| keys_of_body(body, *material)).collect();
+        let mut keys = Table::from_iter([("body".into(), each.into())]);
+        if bodies.len() == 1 {
+            keys.insert("rigid_counterface".into(), true.into());
+        }
+        keys.extend(work_of_adhesion.map(|work| ("work_of_adhesion".into(), work.into())));
+        keys
+    }
+}
+
+/// The keys of a body: its material and what differs from it.
+fn keys_of_body(body: &Body, material: Option<&Material>) -> Table {
+    let id = material.map(|material| ("material".into(), Value::from(&*material.id)));
+    let differs = |value: &f64, get: fn(&Body) -> Option<f64>| {
+        let listed = material.and_then(|material| get(&material.body));
+        listed.is_none_or(|listed| listed.to_bits() != value.to_bits())
+    };
+    let own = BODY.iter().filter_map(|field| {
+        let value = (field.get)(body).filter(|value| differs(value, field.get))?;
+        Some((field.name.into(), value.into()))
+    });
+    id.into_iter().chain(own).collect()
+}
+
+impl SurfaceSpec {
+    /// Whether the surface has numbers beside its description.
+    fn has_own(&self) -> bool {
+        self.mean_plane_offset.or(self.peklenik_number).is_some()
+    }
+
+    /// The keys that describe the surface.
+    fn keys(&self) -> Table {
+        let number = |(key, value): (&str, f64)| (key.to_string(), Value::from(value));
+        let mut keys: Table = match &self.by {
+            Description::Numbers(roughness) => roughness.by_key().map(number).collect(),
+            Description::Drawing(drawing) => match (drawing.at, drawing.moments()) {
+                (Some(_), Ok(moments)) => {
+                    Roughness::of_moments(moments).by_key().map(number).collect()
+                }
+                _ => {
+                    let finish = drawing.finish().map(|word| ("finish".into(), word.into()));
+                    drawing.by_key().map(number).chain(finish).collect()
+                }
+            },
+            Description::Scan(scan) => keys_of_scan(scan),
+        };
+        keys.extend(self.peklenik_number.map(|lay| ("peklenik_number".into(), lay.into())));
+        keys
+    }
+}
+
+/// The path of a scan, and the keys by which it was read.
+fn keys_of_scan(scan: &Scan) -> Table {
+    let Some((path, keys)) = &scan.source else { return Table::new() };
+    let mut keys = keys.clone();
+    keys.insert("file".into(), (&*path.to_string_lossy()).into());
+    keys
+}
+
+fn unwritable(at: Place, reason: &str) -> SceneError {
+    SceneError::Unwritable { at: at.into(), reason: reason.into() }
+}
+
+/// The keys of a section, one per line, in the order of the template; numbers have a comment with
+/// their unit.
+fn lines(section: &str, table: &Table) -> String {
+    let header = format!("[{section}]");
+    let start = template().find(&header).filter(|_| !section.is_empty()).unwrap_or(0);
+    let place = |name: &&str| template()[start..].find(&format!("{name} = ")).unwrap_or(usize::MAX);
+    let mut names = keys_of(section);
+    names.sort_by_key(place);
+    let line = |name: &str| {
+        let value = table.get(name)?;
+        let meaning = match value {
+            Value::Float(_) | Value::Integer(_) => Key::meaning(&joined(section, name)),
+            _ => "",
+        };
+        let gap = if meaning.is_empty() { "" } else { "  # " };
+        Some(format!("{name} = {}{gap}{meaning}\n", inline(value)))
+    };
+    names.into_iter().filter_map(line).collect()
+}
+
+/// A value on one line: numbers with the shortest digits that read back.
+fn inline(value: &Value) -> String {
+    let joined = |parts: Vec<String>| parts.join(", ");
+    match value {
+        Value::Float(number) if number.is_nan() => "nan".into(),
+        Value::Float(number) => format!("{number:e}"),
+        Value::Array(items) => format!("[{}]", joined(items.iter().map(inline).collect())),
+        Value::Table(table) => {
+            let pair = |(name, value): (&String, &Value)| format!("{name} = {}", inline(value));
+            format!("{{ {} }}", joined(table.iter().map(pair).collect()))
+        }
+        other => other.to_string(),
+    }
+}

@@ -1,0 +1,147 @@
+//! Reading of scene files, and their errors.
+
+use std::path::{Path, PathBuf};
+
+use asperity::{
+    Body, Datum, HeightDistribution, Interface, ProfileMoments, SeparationUnit, Surface,
+};
+use asperity_scene::{SceneError, SceneFile, parse};
+
+pub const INTERFACE: &str = "[interface]
+equivalent_modulus = 116e9
+equivalent_shear_modulus = 41e9
+poissons_ratio = 0.31
+hardness = 1.12e9
+";
+pub const SURFACE: &str = "[surface]
+asperity_radius = 3.59e-4
+asperity_density = 1.11e8
+asperity_height_std = 1e-6
+";
+
+const SOFT: &str =
+    "[[body]]\nyoungs_modulus = 70e9\npoissons_ratio = 0.33\nyield_strength = 300e6\n";
+
+pub fn text(top: &str, interface: &str, surface: &str) -> String {
+    format!("nominal_area = 3e-5\n{top}\n{interface}\n{surface}\n")
+}
+
+pub fn read(text: &str) -> Result<SceneFile, SceneError> {
+    parse(text, Path::new("."))
+}
+
+/// A fresh directory for the files of one test.
+pub fn directory(name: &str) -> PathBuf {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&directory).unwrap();
+    directory
+}
+
+#[test]
+fn the_scene_of_the_manual_is_read() {
+    let file = read(&text("", INTERFACE, SURFACE)).unwrap();
+    let mut interface = Interface::new(116e9, 0.31, 1.12e9);
+    interface.equivalent_shear_modulus = Some(41e9);
+    assert_eq!(file.scene.interface, interface);
+    assert_eq!(file.scene.surface, Surface::new(3.59e-4, 1.11e8, 1e-6));
+    assert!(matches!(file.scene.heights, HeightDistribution::Gaussian));
+    assert_eq!((file.spec.separation_from, file.warnings.len()), (Datum::AsperityMean, 0));
+    let integers = text("", &INTERFACE.replace("116e9", "116_000_000_000"), SURFACE);
+    assert_eq!(read(&integers).unwrap().scene.interface, interface);
+}
+
+#[test]
+fn two_bodies_and_a_rigid_counterface_give_the_interfaces_of_the_library() {
+    let hard = &format!("{SOFT}hardness = 7e9\n").replace("70e9", "210e9").replace("0.33", "0.3");
+    let (soft, hard) = (SOFT, &hard.replace("300e6", "2e9"));
+    let a = Body::yielding(70e9, 0.33, 300e6);
+    let mut b = Body::new(210e9, 0.3, 7e9);
+    b.yield_strength = Some(2e9);
+    let both = read(&text("", &format!("{soft}{hard}"), SURFACE)).unwrap();
+    assert_eq!(both.scene.interface, Interface::between(&a, &b).unwrap());
+    assert_eq!(both.scene.interface.yield_strength, Some(300e6));
+    let rigid = read(&text("rigid_counterface = true", hard, SURFACE)).unwrap();
+    assert_eq!(rigid.scene.interface, Interface::against_rigid(&b).unwrap());
+    let sticky = format!("work_of_adhesion = \"50 mJ/m2\"\n[[body]]{}{hard}", &soft[8..]);
+    let sticky = read(&text("", &sticky, SURFACE)).unwrap().scene.interface;
+    assert_eq!(sticky.work_of_adhesion, Some(0.05));
+    let false_is_two = read(&text("rigid_counterface = false", &format!("{soft}{hard}"), SURFACE));
+    assert_eq!(false_is_two.unwrap().scene.interface, both.scene.interface);
+}
+
+#[test]
+fn every_way_gives_the_surface_of_the_library() {
+    let interface = read(&text("", INTERFACE, SURFACE)).unwrap().scene.interface;
+    let index =
+        "[surface]\nplasticity_index = 6\nroughness_parameter = 0.04\nasperity_height_std = 1e-6";
+    assert_eq!(
+        read(&text("", INTERFACE, index)).unwrap().scene.surface,
+        Surface::from_plasticity_index(6.0, 0.04, 1e-6, &interface).unwrap()
+    );
+    let moments = ProfileMoments { m0: 1e-12, m2: 1e-4, m4: 5e4 };
+    assert_eq!(
+        read(&text("", INTERFACE, "[surface]\nm0 = 1e-12\nm2 = 1e-4\nm4 = 5e4"))
+            .unwrap()
+            .scene
+            .surface,
+        Surface::from_moments(&moments).unwrap()
+    );
+    let of_surface = SURFACE.replace("asperity_height_std", "surface_height_std");
+    let wanted = Surface::from_surface_std(3.59e-4, 1.11e8, 1e-6).unwrap();
+    assert_eq!(read(&text("", INTERFACE, &of_surface)).unwrap().scene.surface, wanted);
+    let slope = "[surface]\nsurface_height_std = 1e-6\nmean_slope = 0.1\nasperity_density = 2e9";
+    let wanted = Surface::from_mean_slope(1e-6, 0.1, 2e9).unwrap();
+    assert_eq!(read(&text("", INTERFACE, slope)).unwrap().scene.surface, wanted);
+    // Parameters in the units of the instrument.
+    let iso = "[surface]\nsq = \"1 um\"\nspd = \"111 1/mm2\"\nspc = \"2.5 1/mm\"";
+    let wanted = Surface::from_surface_std(1.0 / 2500.0, 1.11e8, 1e-6).unwrap();
+    assert_eq!(read(&text("", INTERFACE, iso)).unwrap().scene.surface, wanted);
+    // The rms gradient of the same Gaussian surface: sqrt(2 m2), from spc and spd in closed form.
+    let pi = std::f64::consts::PI;
+    let m2 = 9.0 * pi * 2500f64.powi(2) / 64.0 / (6.0 * 3f64.sqrt() * pi * 1.11e8);
+    let gradient = iso.replace("spc = \"2.5 1/mm\"", &format!("sdq = {:e}", (2.0 * m2).sqrt()));
+    let found = read(&text("", INTERFACE, &gradient)).unwrap().scene.surface;
+    let off = |a: f64, b: f64| (a / b - 1.0).abs();
+    assert!(off(found.asperity_radius, wanted.asperity_radius) < 1e-12, "{found:?}");
+    // The constants of the variance of summits have seven digits.
+    assert!(off(found.asperity_height_std, wanted.asperity_height_std) < 1e-7, "{found:?}");
+    assert!(off(found.asperity_density, 1.11e8) < 1e-12, "{found:?}");
+    // Each of two surfaces by its own section.
+    let pair = gradient.split("sdq = ").next().unwrap().replace("1 um", "1 mm") + "sdq = 12\n";
+    let pair = format!("{pair}[surface.counterface]\nsq = 1e-3\nspd = 1.11e8\nsdq = 7\n");
+    let warned = read(&text("", INTERFACE, &pair)).unwrap().warnings;
+    let fields: Vec<&str> =
+        warned.iter().filter(|one| one.code == "likely-unit").map(|one| &*one.field).collect();
+    assert_eq!(fields, ["surface.sdq", "surface.counterface.sdq"], "{warned:?}");
+}
+
+#[test]
+fn separations_from_the_mean_plane_are_shifted_by_its_offset() {
+    let from = format!("{SURFACE}separation_from = \"surface-mean\"\n");
+    let file = read(&text("", INTERFACE, &from)).unwrap();
+    let offset = file.scene.surface.mean_plane_offset();
+    assert!((file.scene.mean_plane_offset() - offset).abs() < 1e-20 && offset > 1e-6);
+    let given = file.separation(3.0, SeparationUnit::Sigma);
+    assert_eq!(given.from, Datum::SurfaceMean);
+    let inner = given.measured_in(SeparationUnit::Sigma, Datum::AsperityMean, &file.scene).unwrap();
+    assert!((inner.value - (3.0 - offset / 1e-6)).abs() < 1e-12);
+}
+
+#[test]
+fn equally_hard_bodies_are_told_apart_aloud() {
+    let bodies = |ratios: [f64; 2], hardnesses: [f64; 2]| {
+        let body = |k: usize| {
+            let body = SOFT.replace("0.33", &ratios[k].to_string());
+            body.replace("yield_strength = 300e6", &format!("hardness = {}", hardnesses[k]))
+        };
+        read(&text("", &(body(0) + &body(1)), SURFACE)).unwrap()
+    };
+    for ratios in [[0.3, 0.45], [0.45, 0.3]] {
+        let file = bodies(ratios, [2e9, 2e9]);
+        assert!((file.scene.interface.poissons_ratio - 0.3).abs() < 1e-15);
+        let found = file.findings();
+        assert_eq!(found.iter().map(|found| found.code).collect::<Vec<_>>(), ["equally-hard"]);
+    }
+    assert!(bodies([0.3, 0.3], [2e9, 2e9]).findings().is_empty());
+    assert!(bodies([0.3, 0.45], [2e9, 3e9]).findings().is_empty());
+}

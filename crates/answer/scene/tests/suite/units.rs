@@ -1,0 +1,191 @@
+//! Numbers with units, and synonyms of keys.
+
+use asperity::{Finding, Findings};
+
+use crate::scene_files::{INTERFACE, SURFACE, read, text};
+
+#[test]
+fn numbers_may_have_a_unit() {
+    let plain = read(&text("", INTERFACE, SURFACE)).unwrap().scene;
+    let with_units = text("", INTERFACE, SURFACE)
+        .replace("116e9", "\"116 GPa\"")
+        .replace("1.12e9", "\"1120 MPa\"")
+        .replace("3.59e-4", "\"0.359 mm\"")
+        .replace("1.11e8", "\"\"\"111\n 1/mm2\"\"\"")
+        .replace("1e-6", "\"1 \u{b5}m\"")
+        .replace("3e-5", "\"30 mm^2\"");
+    let found = read(&with_units).unwrap().scene;
+    assert_eq!((found.interface, found.surface), (plain.interface, plain.surface));
+    assert!((found.nominal_area - plain.nominal_area).abs() < 1e-20);
+    // Line numbers stay the same after a text of two lines.
+    let odd = read(&with_units.replace("\"1 \u{b5}m\"", "-1")).unwrap_err();
+    assert_eq!(odd.place().unwrap().line, Some(13));
+}
+
+#[test]
+fn conductivities_may_have_a_unit() {
+    let thermal = "thermal_conductivity = \"0.5 W/(cm K)\"";
+    let conducting = format!("{INTERFACE}{thermal}\nelectrical_resistivity = \"17 uohm cm\"\n");
+    let found = read(&text("", &conducting, SURFACE)).unwrap();
+    let interface = found.scene.interface;
+    assert_eq!(interface.thermal_conductivity.map(f64::to_bits), Some(50f64.to_bits()));
+    assert_eq!(interface.electrical_resistivity.map(f64::to_bits), Some(17e-8f64.to_bits()));
+    assert!(found.findings().is_empty(), "{:?}", found.findings());
+}
+
+#[test]
+fn a_finding_about_a_body_hides_no_other() {
+    let steel = "youngs_modulus = 210e9\npoissons_ratio = 0.3\nhardness = 2e9\n";
+    let bodies =
+        |more: &str| format!("[[body]]\n{steel}{more}[[body]]\n{steel}thermal_conductivity = 50\n");
+    let fields = |top: &str, more: &str| {
+        let text = text("", &bodies(more), SURFACE).replace("nominal_area = 3e-5", top);
+        let file = read(&text).unwrap();
+        let of = |found: &[asperity::Finding]| -> Vec<String> {
+            found.iter().map(|found| found.field.to_string()).collect()
+        };
+        let fields = of(&file.findings());
+        assert_eq!(of(&file.check(None).unwrap().findings), fields);
+        fields
+    };
+    let found = fields("nominal_area = 100\nwork_of_adhesion = 50", "thermal_conductivity = 5e4\n");
+    for field in ["body[1].thermal_conductivity", "nominal_area", "work_of_adhesion"] {
+        assert!(found.iter().any(|name| name == field), "{field}: {found:?}");
+    }
+    // One mistake is text once.
+    assert!(!found.iter().any(|field| field == "thermal_conductivity"), "{found:?}");
+    let stiff = steel.replace("210e9", "210");
+    let text = text("", &bodies(""), SURFACE).replacen(steel, &stiff, 1);
+    let found = read(&text).unwrap().findings();
+    let fields: Vec<&str> = found.iter().map(|found| &*found.field).collect();
+    assert_eq!(fields, ["body[1].youngs_modulus"]);
+}
+
+#[test]
+fn two_bodies_of_one_material_have_one_finding() {
+    let bodies = |second: &str| {
+        let text =
+            asperity_scene::template().replace("youngs_modulus = 210e9", "youngs_modulus = 210");
+        let (first, rest) = text.rsplit_once("youngs_modulus = 210").unwrap();
+        let text = format!("{first}youngs_modulus = {second}{rest}");
+        let file = asperity_scene::parse(&text, std::path::Path::new(".")).unwrap();
+        let found = file.findings();
+        found.iter().filter(|one| one.field.ends_with(".youngs_modulus")).count()
+    };
+    assert_eq!([bodies("210"), bodies("209")], [1, 2]);
+}
+
+#[test]
+fn accepted_codes_are_silent() {
+    let body = |modulus: &str| {
+        let steel = format!("youngs_modulus = {modulus}\npoissons_ratio = 0.3\nhardness = 2e9\n");
+        format!("rigid_counterface = true\n[[body]]\n{steel}thermal_conductivity = 5e4\n")
+    };
+    let found = |top: &str, modulus: &str| {
+        let file = read(&text(top, &body(modulus), SURFACE)).unwrap();
+        let fields = |found: asperity::Findings| -> Vec<String> {
+            found.iter().map(|found| found.field.to_string()).collect()
+        };
+        (fields(file.findings()), fields(file.check(None).unwrap().findings))
+    };
+    let conductivity = || vec!["body[1].thermal_conductivity".to_string()];
+    assert_eq!(found("", "210e9"), (conductivity(), conductivity()));
+    let accept = "accept = [\"unusual-size\"]\n";
+    assert_eq!(found(accept, "210e9"), (vec![], vec![]));
+    assert_eq!(found(accept, "210"), (vec![], vec![]));
+}
+
+/// The findings of a scene with two bodies of steel.
+fn findings(body: &str, area: &str, surface: &str) -> Findings {
+    let steel = "poissons_ratio = 0.3\nyield_strength = \"400 MPa\"\n";
+    let second = format!("[[body]]\nyoungs_modulus = \"210 GPa\"\n{steel}");
+    let scene =
+        format!("nominal_area = {area}\n[[body]]\n{body}\n{steel}{second}[surface]\n{surface}\n");
+    read(&scene).unwrap().findings()
+}
+
+/// The only finding of a scene.
+fn finding(body: &str, surface: &str) -> Finding {
+    let [found] = &findings(body, "1e-4", surface).into_vec()[..] else {
+        panic!("{body}{surface}")
+    };
+    found.clone()
+}
+
+const STEEL: &str = "youngs_modulus = \"210 GPa\"";
+const GROUND: &str = "asperity_radius = \"50 um\"
+asperity_density = \"2000 1/mm2\"
+asperity_height_std = \"1 um\"";
+
+#[test]
+fn a_unit_that_was_given_is_never_reinterpreted() {
+    assert!(findings(STEEL, "1e-4", GROUND).is_empty());
+    for (body, surface) in [
+        ("youngs_modulus = \"210 MPa\"", GROUND),
+        (STEEL, &*GROUND.replace("50 um", "50 m")),
+        (&*format!("{STEEL}\nhardness = \"200 MPa\""), GROUND),
+    ] {
+        let odd = findings(body, "1e-4", surface).into_vec();
+        assert!(!odd.is_empty() && odd.iter().all(|one| !looks_like(one, "")), "{odd:?}");
+    }
+    // Guideways are that large.
+    for area in ["\"0.05 m2\"", "\"2500 cm2\""] {
+        assert!(findings(STEEL, area, GROUND).is_empty(), "{area}");
+    }
+    // Annealed copper.
+    let copper = asperity::Body::new(120e9, 0.34, 400e6);
+    assert!(asperity::Plausible::findings(&copper).is_empty());
+}
+
+/// A hint of this unit.
+fn looks_like(found: &Finding, unit: &str) -> bool {
+    found.to_string().contains(&format!("looks like {unit}"))
+}
+
+#[test]
+fn a_likely_unit_is_within_the_usual_range_beside_it() {
+    for (body, unit) in [
+        ("youngs_modulus = 210000".to_string(), "MPa"),
+        (format!("{STEEL}\nhardness = 200"), "HV"),
+        // 2 HV is softer than any steel.
+        (format!("{STEEL}\nhardness = 2"), "GPa"),
+        (format!("{STEEL}\nhardness = 58"), "HRC"),
+    ] {
+        let found = finding(&body, GROUND);
+        assert!(looks_like(&found, unit) && found.field.starts_with("body[1]."), "{found}");
+    }
+    for (surface, units) in [
+        ("sq = \"0.9 um\"\nspd = \"800 1/mm2\"\nspc = 13", &["1/mm"][..]),
+        ("sq = 9\nspd = 8e8\nspc = 1.3e4", &["um"]),
+        ("sq = 20\nspd = 800\nspc = 13", &["um", "1/mm2", "1/mm"]),
+        ("sq = 1.1\nspd = 2e8\nsdq = 0.058", &["um"]),
+    ] {
+        let found = finding(STEEL, surface);
+        assert!(units.iter().all(|unit| looks_like(&found, unit)), "{surface}: {found}");
+        assert_eq!(found.to_string().matches("looks like").count(), units.len(), "{found}");
+    }
+}
+
+#[test]
+fn units_that_are_not_decimal_are_taken_with_a_note_at_their_key() {
+    let scene = text("", &INTERFACE.replace("1.12e9", "\"200 HV\""), SURFACE);
+    let file = read(&scene.replace("3e-5", "\"1 in2\"")).unwrap();
+    assert!((file.scene.nominal_area - 645.16e-6).abs() < 1e-12);
+    let hardness = file.scene.interface.hardness.unwrap();
+    assert!((hardness / 2.1153e9 - 1.0).abs() < 1e-4, "{hardness}");
+    let keys: Vec<&str> = file.converted().iter().map(|(key, _)| &**key).collect();
+    assert_eq!(keys, ["interface.hardness", "nominal_area"]);
+}
+
+#[test]
+fn a_hardness_by_another_test_is_taken_with_its_table() {
+    // 653 and 200 HV, in kgf/mm² over sin 68°.
+    for (hardness, pascals) in [("58 HRC", 6.9067e9), ("190 HB", 2.1154e9)] {
+        let file =
+            read(&text("", &INTERFACE.replace("1.12e9", &format!("\"{hardness}\"")), SURFACE))
+                .unwrap();
+        let found = file.scene.interface.hardness.unwrap();
+        assert!((found / pascals - 1.0).abs() < 1e-4, "{hardness}: {found}");
+        assert_eq!(file.converted()[0].0, "interface.hardness");
+    }
+}
