@@ -108,8 +108,17 @@ impl<'s> Inquiry<'s> {
         if found.answered { Ok(()) } else { Err("no row has a value".into()) }
     }
 
+    /// Whether the bodies are curved: rows have a load or an approach.
+    fn is_of_bodies(&self) -> bool {
+        self.file.spec.curvature.is_some()
+    }
+
     /// The columns for the model and for the load or separation.
     pub(crate) fn place_heads(&self) -> Vec<&'static str> {
+        if self.is_of_bodies() {
+            let at_loads = matches!(self.request.at.first(), Some(At::Load(_)));
+            return if at_loads { vec!["model", "load_N"] } else { vec!["model", "approach_m"] };
+        }
         let loads = match self.request.at.first() {
             None | Some(At::Separation(_)) => &[][..],
             // As a quantity, the pressure has that column.
@@ -239,6 +248,14 @@ impl<'s> Inquiry<'s> {
 
     /// The cells of a line's place.
     pub(crate) fn place(&self, id: &str, line: &Line) -> Vec<Cell> {
+        if self.is_of_bodies() {
+            let approach = line.separation[1].as_ref().ok().map(|metres| -metres);
+            let place = match line.given {
+                At::Load(load) => Some(load),
+                _ => approach,
+            };
+            return vec![Cell::from(id), place.into()];
+        }
         let films = if self.films { &line.film[..] } else { &[] };
         let separation = line.separation.iter().map(|found| found.as_ref().ok().copied());
         let places = self.loads_at(line.given).chain(films.iter().copied()).chain(separation);

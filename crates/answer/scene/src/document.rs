@@ -207,7 +207,7 @@ impl<'a> Document<'a> {
 
     /// Refuses unknown keys everywhere but in the options.
     pub(crate) fn check_sections(&self) -> Result<(), SceneError> {
-        for section in ["", "surface", COUNTERFACE, "interface", "gap"] {
+        for section in ["", "surface", COUNTERFACE, "interface", "curvature", "gap"] {
             self.check_keys(section, &keys_of(section))?;
         }
         let bodies = self.table.get("body").and_then(Value::as_array).map_or(0, Vec::len);

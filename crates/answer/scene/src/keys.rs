@@ -4,6 +4,8 @@
 
 use asperity::{Body, Interface, Surface, UNITS, Units};
 
+use crate::curvature::Curvature;
+
 /// A key of a scene file.
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
@@ -43,6 +45,8 @@ pub enum Subject {
     Scan,
     /// The surface that both rough surfaces make.
     Surface,
+    /// The bodies, where they are curved.
+    Curvature,
     /// What fills the gap between the surfaces.
     Gap,
     /// Variants of the models.
@@ -112,6 +116,7 @@ keys! {
         body("" "two of them, here of steel; one with rigid_counterface = true")
         interface("" "of the two bodies together")
         surface("" "the rough surface, in exactly one of the ways below")
+        curvature("" "")
         gap("" "")
         options("" "")
     }
@@ -221,6 +226,17 @@ keys! {
         separation_from("" "or \"surface-mean\"")
         mean_plane_offset("m" ", of the mean of the asperity heights above that of the surface, if known")
     }
+    "curvature" Curvature numbers CURVATURE in Curvature {
+        radius("m" ", of a ball on a flat; of two balls 1/R = 1/R1 + 1/R2" form "Radius" "10 mm")
+        radius_x("m" ", relative radius along x; with length, of a line contact" form "Radius along x" "0.46 m")
+        radius_y("m" ", relative radius along y" form "Radius along y" "0.3 m")
+        body1_radius_x("m" ", instead of relative radii: of each body, below 0 where it is hollow")
+        body1_radius_y("m" ", left out where it is flat")
+        body2_radius_x("m" "")
+        body2_radius_y("m" "")
+        length("m" ", of a line contact" form "Length" "20 mm")
+        reference_length("m" ", in the deflection of a line contact: its approach depends on it")
+    } {}
     "gap" Gap {
         gas_conductivity("W/(m K)" ", of the gas in the gap; air has 0.026")
         gas_parameter("m" ", temperature-jump distance: about 0.37 um for air at 1 bar, 0 for a liquid")

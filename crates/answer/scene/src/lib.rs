@@ -6,6 +6,7 @@ mod accept;
 mod cells;
 mod check;
 mod conduction;
+mod curvature;
 mod document;
 mod error;
 mod evidence;
@@ -48,6 +49,7 @@ mod vary;
 mod write;
 
 pub use asperity::Asperities;
+pub use curvature::Curvature;
 pub use document::HandedFiles;
 pub use error::{Place, SceneError};
 pub use finish::Drawing;

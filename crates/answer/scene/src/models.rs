@@ -3,6 +3,7 @@
 use asperity::joints::{Correlated, Correlation};
 use asperity::{Asperities, Code, ContactError, ContactModel, Finding, Model, Quantity, Request};
 use asperity_bem::Bem;
+use asperity_curved::BetweenCurved;
 
 use crate::error::{Place, SceneError};
 use crate::options::ModelOptions;
@@ -48,9 +49,17 @@ impl SceneFile {
                         let at = Place::field("surface.file").into();
                         Err(SceneError::Refused { at, reason })
                     }
-                    None => Ok(model),
+                    None => Ok(self.between(model)),
                 }
             }
+        }
+    }
+
+    /// The model between the scene's bodies, where these are curved.
+    fn between(&self, model: Model) -> Model {
+        match self.spec.curvature.and_then(|bodies| bodies.shape().ok()) {
+            Some(shape) => Model::new(BetweenCurved::new(model, shape)),
+            None => model,
         }
     }
 
@@ -69,7 +78,7 @@ impl SceneFile {
         let adhesive = interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive());
         let hardening = interface.tangent_modulus.map_or(vec![], |_| Model::hardening());
         for model in known.into_iter().chain(adhesive).chain(hardening) {
-            let model = self.spec.options.model(model.id()).unwrap_or(model);
+            let model = self.between(self.spec.options.model(model.id()).unwrap_or(model));
             match self.refusal(&model) {
                 None => allowed.push(model),
                 Some(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),

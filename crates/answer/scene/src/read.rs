@@ -6,6 +6,7 @@ use std::sync::Arc;
 use asperity::{Code, Datum, Finding, Findings, TabulatedHeights};
 
 use crate::accept;
+use crate::curvature::curvature;
 use crate::document::{Document, Files, HandedFiles};
 use crate::error::{Place, SceneError};
 use crate::gap::gas;
@@ -96,7 +97,11 @@ fn spec(
 ) -> Result<(SceneSpec, Option<Scans>, HeightsKey), SceneError> {
     document.check_sections()?;
     let options = ModelOptions::default().with_keys(document, "options")?;
-    let nominal_area = document.needed_number("nominal_area")?;
+    let curvature = curvature(document)?;
+    let nominal_area = match curvature {
+        None => document.needed_number("nominal_area")?,
+        Some(_) => 1.0,
+    };
     let names: Vec<String> = document.get("accept")?.unwrap_or_default();
     let accept = accept::codes(document, &names)?;
     let bodies = bodies(document)?;
@@ -113,6 +118,7 @@ fn spec(
         pressed,
         heights,
         separation_from,
+        curvature,
         gas,
         options,
         accept,

@@ -126,6 +126,7 @@ pub(crate) fn resolve(spec: &SceneSpec) -> Result<(Scene, Option<Arc<Measured>>)
         let lay = one.peklenik_number.map(|number| positive("peklenik_number", number));
         lay.transpose().map_err(at(section))?;
     }
+    spec.curvature.map(|bodies| bodies.shape()).transpose().map_err(at("curvature"))?;
     spec.gas.map_or(Ok(()), |gas| gas.check()).map_err(at("gap"))?;
     let of_surface = at("surface");
     let one = One::new(&spec.surface, &interface).map_err(&of_surface)?;

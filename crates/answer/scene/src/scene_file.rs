@@ -147,6 +147,20 @@ impl SceneFile {
         self.spec.gas.ok_or(ContactError::Missing { field, reason })
     }
 
+    /// Refuses a scene of curved bodies, for what needs a nominal area.
+    ///
+    /// # Errors
+    /// [`SceneError::Refused`] at `[curvature]`.
+    pub fn need_flat(&self) -> Result<(), SceneError> {
+        if self.spec.curvature.is_none() {
+            return Ok(());
+        }
+        let own = Provenance::default();
+        let at = self.origin.as_deref().unwrap_or(&own).place("curvature").into();
+        let reason = "curved bodies have quantities at loads and approaches (curve); joints, fits, exports, boundary elements and checks at a load are of flat bodies: write nominal_area instead of [curvature]";
+        Err(SceneError::Refused { at, reason: reason.into() })
+    }
+
     /// The scene with this scan to be pressed by boundary elements.
     #[must_use]
     pub fn pressing_scan(mut self, scan: Topography) -> Self {

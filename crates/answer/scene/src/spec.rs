@@ -9,6 +9,7 @@ use asperity::{
 };
 use asperity_topography::Topography;
 
+use crate::curvature::Curvature;
 use crate::finish::Drawing;
 use crate::gap::Gas;
 use crate::keys::COUNTERFACE;
@@ -22,7 +23,7 @@ use crate::roughness::{Roughness, Way};
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct SceneSpec {
-    /// A_n \[m²\].
+    /// A_n \[m²\]; 1 of curved bodies, which have none.
     pub nominal_area: f64,
     /// The bodies, or their interface.
     pub bodies: Bodies,
@@ -37,6 +38,8 @@ pub struct SceneSpec {
     pub heights: HeightsSpec,
     /// The plane from which separations are measured.
     pub separation_from: Datum,
+    /// The bodies, where they are curved.
+    pub curvature: Option<Curvature>,
     /// The gas in the gap, if there is one.
     pub gas: Option<Gas>,
     /// The variants of the models.
@@ -240,6 +243,7 @@ impl SceneSpec {
             pressed: None,
             heights: HeightsSpec::default(),
             separation_from: Datum::AsperityMean,
+            curvature: None,
             gas: None,
             options: ModelOptions::default(),
             accept: vec![],

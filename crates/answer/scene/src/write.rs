@@ -103,7 +103,12 @@ impl SceneFile {
         let text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
         let spec = &self.spec;
         let mut top = spec.bodies.keys();
-        top.insert("nominal_area".into(), spec.nominal_area.into());
+        match spec.curvature {
+            None => top.insert("nominal_area".into(), spec.nominal_area.into()),
+            Some(bodies) => {
+                top.insert("curvature".into(), Table::try_from(bodies).unwrap_or_default().into())
+            }
+        };
         let mut surface = self.surface_keys();
         surface.extend(self.heights_key(heights)?.map(|key| ("heights".into(), key)));
         if spec.separation_from == Datum::SurfaceMean {
@@ -121,7 +126,7 @@ impl SceneFile {
         }
         top.insert("options".into(), spec.options.changed().into());
         let mut sections = String::new();
-        for name in ["body", "interface", "surface", "gap", "options"] {
+        for name in ["body", "interface", "surface", "curvature", "gap", "options"] {
             let header = if name == "body" { "[[body]]" } else { &format!("[{name}]") };
             let all = match top.remove(name) {
                 Some(Value::Array(bodies)) => bodies,

@@ -33,7 +33,9 @@ impl LoadedScene {
     /// Reads the file for these models, and reports what is unusual; on its asperities only if one
     /// of the models uses asperities; otherwise a scan needs none.
     pub fn load(path: &Path, ids: &[String]) -> Result<Self> {
-        Self::load_pressing(path, ids, BemOptions::default())
+        let scene = Self::load_pressing(path, ids, BemOptions::default())?;
+        scene.file.need_flat()?;
+        Ok(scene)
     }
 
     /// The same with these options of boundary elements before the scene's.

@@ -32,6 +32,7 @@
 mod hertz;
 mod kernel;
 mod layer;
+mod model;
 mod solution;
 mod solve;
 
@@ -40,6 +41,7 @@ use std::f64::consts::PI;
 use asperity_core::{ContactError, ContactModel, Quantity, Scene, Tolerance};
 
 pub use hertz::Hertz;
+pub use model::BetweenCurved;
 pub use solution::Solution;
 
 use kernel::{Deflection, quick};
@@ -50,6 +52,8 @@ use solve::State;
 const EDGE: f64 = 1e-9;
 /// The most by which the grid is widened where the pressure at its edge is larger.
 const WIDEST: f64 = 6.0;
+/// Loads below this share of E σ_z² are those of bodies that do not touch.
+const FREE: f64 = 1e-30;
 /// The largest number of points along a side.
 const MOST: usize = 2048;
 
@@ -274,6 +278,9 @@ impl Curved {
                 return Ok(found);
             }
             load *= change.clamp(-4.0, 4.0).exp();
+            if load < FREE * self.layer.modulus * self.layer.sigma.powi(2) {
+                return refused("the bodies do not touch at this approach");
+            }
         }
         refused("no load has this approach")
     }

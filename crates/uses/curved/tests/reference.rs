@@ -2,9 +2,13 @@
 #![allow(clippy::unwrap_used, reason = "a test: a panic is the failure")]
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
-use asperity_core::{ContactError, ContactModel, Interface, Quantity, Scene, Surface, Tolerance};
-use asperity_curved::{Curved, Shape, Solution};
+use asperity_core::{
+    At, Citation, Code, Contact, ContactError, ContactModel, Described, Interface, Quantity,
+    Request, Scene, Separation, Surface, Tolerance,
+};
+use asperity_curved::{BetweenCurved, Curved, Shape, Solution};
 use asperity_gw::GreenwoodWilliamson;
 use asperity_jg::JacksonGreen;
 use asperity_ke::KogutEtsion;
@@ -23,17 +27,18 @@ fn number(row: &Row, name: &str) -> Option<f64> {
     row[name].parse().ok()
 }
 
-fn curved(row: &Row, tolerance: f64) -> Curved {
+/// The model, the scene and the bodies of a row.
+fn inputs(row: &Row) -> (Arc<dyn ContactModel>, Scene, Shape) {
     let of = |name: &str| number(row, name).unwrap();
     let mut interface = Interface::new(of("E"), of("poissons_ratio"), of("hardness"));
     interface.pressure_factor = Some(of("pressure_factor"));
     let surface =
         Surface::new(of("asperity_radius"), of("asperity_density"), of("asperity_height_std"));
     let scene = Scene::new(interface, surface, 1.0);
-    let model: &dyn ContactModel = match &*row["model"] {
-        "gw" => &GreenwoodWilliamson,
-        "ke" => &KogutEtsion,
-        _ => &JacksonGreen::default(),
+    let model: Arc<dyn ContactModel> = match &*row["model"] {
+        "gw" => Arc::new(GreenwoodWilliamson),
+        "ke" => Arc::new(KogutEtsion),
+        _ => Arc::new(JacksonGreen::default()),
     };
     let shape = match number(row, "Ry") {
         Some(radius_y) => Shape::Point { radius_x: of("Rx"), radius_y },
@@ -43,7 +48,12 @@ fn curved(row: &Row, tolerance: f64) -> Curved {
             reference_length: number(row, "reference_length"),
         },
     };
-    Curved::new(model, &scene, shape, &ASKED, Tolerance::new(tolerance).unwrap()).unwrap()
+    (model, scene, shape)
+}
+
+fn curved(row: &Row, tolerance: f64) -> Curved {
+    let (model, scene, shape) = inputs(row);
+    Curved::new(&*model, &scene, shape, &ASKED, Tolerance::new(tolerance).unwrap()).unwrap()
 }
 
 /// The largest error over the row's numbers: relative, of lengths over the larger of value and σ.
@@ -179,6 +189,84 @@ fn loads_and_approaches_are_inverse_and_axes_are_alike() {
     assert!((one.axes()[0] / other.axes()[1] - 1.0).abs() < 1e-10);
     assert!((one.approach().unwrap() / other.approach().unwrap() - 1.0).abs() < 1e-10);
     assert_eq!(one.work(), other.work());
+}
+
+#[test]
+fn a_model_between_curved_bodies_answers_within_its_bounds() {
+    let quantities = [
+        (Quantity::Approach, "approach"),
+        (Quantity::ApproachBeyondHertz, "extra_approach"),
+        (Quantity::PeakPressure, "peak_pressure"),
+        (Quantity::AxisX, "axis_x"),
+        (Quantity::Area, "real_area"),
+        (Quantity::Contacts, "contacts"),
+        (Quantity::Tangent, "stiffness"),
+        (Quantity::UnloadingStiffness, "unloading_stiffness"),
+        (Quantity::CentralSeparation, "center_separation"),
+        (Quantity::CentralAreaFraction, "center_area_fraction"),
+        (Quantity::EffectiveRadius, "effective_radius"),
+    ];
+    let asked = || Request::new(quantities.map(|(quantity, _)| quantity));
+    for row in [&rows()[4], &rows()[18], &rows()[30]] {
+        let (model, scene, shape) = inputs(row);
+        let between = BetweenCurved::new(Named(model), shape);
+        let load = number(row, "load").unwrap();
+        for request in [asked(), asked().within(Tolerance::new(1e-4).unwrap())] {
+            let contact = between.compile(&scene, &request).unwrap();
+            for (quantity, name) in quantities {
+                let Some(right) = number(row, name) else {
+                    assert!(contact.evaluate(quantity, At::Load(load)).is_err());
+                    continue;
+                };
+                let found = contact.evaluate(quantity, At::Load(load)).unwrap();
+                let error = (found.value() - right).abs();
+                assert!(error <= found.relative_error() * found.value().abs(), "{name}");
+            }
+            // An approach is a separation below 0.
+            let place = contact.separation(At::Load(load)).unwrap();
+            let back = contact.evaluate(Quantity::Approach, place).unwrap().value();
+            let size = back.abs().max(scene.surface.asperity_height_std);
+            assert!((back + place.value).abs() < 1e-4 * size, "{back:e} {:e}", place.value);
+        }
+        let flat = [Quantity::Pressure, Quantity::AreaFraction, Quantity::LnForce];
+        for quantity in flat {
+            let refused = between.compile(&scene, &Request::new([quantity])).unwrap_err();
+            assert!(matches!(refused, ContactError::Unsupported { .. }), "{refused}");
+        }
+        let contact = between.compile(&scene, &asked()).unwrap();
+        assert!(contact.evaluate(Quantity::Area, At::Pressure(1e6)).is_err());
+        assert!(contact.evaluate(Quantity::Area, At::from(Separation::sigmas(1e9))).is_err());
+    }
+}
+
+#[test]
+fn what_limits_the_answer_is_noted() {
+    let scene = Scene::new(Interface::new(115e9, 0.3, 4e9), Surface::new(1e-4, 1e9, 1e-6), 1.0);
+    let shape = Shape::Point { radius_x: 1e-3, radius_y: 1e-3 };
+    let between = BetweenCurved::new(GreenwoodWilliamson, shape);
+    let request = Request::new([Quantity::Contacts, Quantity::Area]);
+    let codes = |load: f64| -> Vec<Code> {
+        let response = between.solve(&scene, &request.clone().at_loads([load])).unwrap();
+        response.warnings.iter().map(|found| found.code).collect()
+    };
+    assert!(codes(1e-6).contains(&Code::FewContacts));
+    assert!(codes(100.0).contains(&Code::Patch));
+}
+
+/// A model that a table names.
+#[derive(Debug)]
+struct Named(Arc<dyn ContactModel>);
+
+impl Described for Named {
+    fn citation(&self) -> &Citation {
+        self.0.citation()
+    }
+}
+
+impl ContactModel for Named {
+    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        self.0.compile(scene, request)
+    }
 }
 
 #[test]

@@ -20,6 +20,17 @@ use crate::scene::LoadedScene;
 /// The default quantities.
 const USUAL: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent];
 
+/// Those of curved bodies.
+const OF_BODIES: [Quantity; 7] = [
+    Quantity::Force,
+    Quantity::Approach,
+    Quantity::PeakPressure,
+    Quantity::PeakPressureRatio,
+    Quantity::AxisX,
+    Quantity::AxisY,
+    Quantity::Tangent,
+];
+
 /// Columns of places, in the order in which measured points are drawn against them.
 const PLACES: [&str; 5] = ["load_N", "pressure_Pa", "film_m", "lambda", "separation_m"];
 
@@ -83,7 +94,14 @@ impl Curve {
             usage_error("curve", ErrorKind::MissingRequiredArgument, text);
         }
         let scene = LoadedScene::load_pressing(&self.asked.scene, ids, press)?;
-        let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
+        let is_curved = scene.file.spec.curvature.is_some();
+        self.asked.check_places(is_curved);
+        let usual = if is_curved { &OF_BODIES[..] } else { &USUAL };
+        let mut request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), usual);
+        if is_curved && matches!(request.at.first(), Some(At::Separation(_))) {
+            // The place of the row.
+            request.quantities.retain(|quantity| *quantity != Quantity::Approach);
+        }
         let fill = |file: &_, sheet: &mut _| self.answer(file, &request, sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
         self.output.write(&sheet, || self.picture(&sheet, &request, scene.file.plane()))
@@ -93,6 +111,7 @@ impl Curve {
     fn picture(&self, sheet: &Sheet, request: &Request, from: &'static str) -> Result<String> {
         let drawn: Vec<String> = request.quantities.iter().map(|one| one.column()).collect();
         let mut x = match request.at.first() {
+            Some(At::Separation(_)) if sheet.column("approach_m").is_some() => "approach_m",
             Some(At::Load(_)) => "load_N",
             Some(At::Pressure(_)) => "pressure_Pa",
             Some(At::Separation(s)) if s.unit == SeparationUnit::SurfaceStd => "lambda",

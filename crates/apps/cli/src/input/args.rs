@@ -44,6 +44,10 @@ pub struct ModelArgs {
     #[arg(long = "lambda", value_name = "A:B:N[:log]|v,v")]
     #[arg(action = ArgAction::Append, conflicts_with_all = ["given", "films"])]
     ratios: Vec<Numbers>,
+    /// Approaches of curved bodies: in m, or with a unit, for example 5um; the scene has [curvature]
+    #[arg(long = "approach", value_name = "A:B:N[:log]|v,v", value_parser = all(metre))]
+    #[arg(action = ArgAction::Append, conflicts_with_all = ["given", "separations", "films", "ratios"])]
+    approaches: Vec<Numbers>,
     /// Loads, as a range or a list: in N, or with a unit, for example 2kN; negative for tension
     /// (dmt, jkr)
     #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load_or_tension))]
@@ -142,8 +146,21 @@ impl ModelArgs {
 
     /// Whether neither separations nor loads are given.
     pub fn is_nowhere(&self) -> bool {
-        let plain = self.separations.is_empty() && !self.is_of_film();
+        let plain = self.separations.is_empty() && self.approaches.is_empty() && !self.is_of_film();
         plain && self.loads.is_empty() && self.pressures.is_empty()
+    }
+
+    /// Ends with a message where the places are not those of curved bodies, or of flat ones.
+    pub fn check_places(&self, is_curved: bool) {
+        let is_of_bodies = !(self.loads.is_empty() && self.approaches.is_empty());
+        let text = match is_curved {
+            true if !is_of_bodies => "the scene has [curvature]: give --load or --approach",
+            false if !self.approaches.is_empty() => {
+                "--approach is of curved bodies, and the scene has no [curvature]: give --load, --pressure or --separation"
+            }
+            _ => return,
+        };
+        usage_error("curve", ErrorKind::ArgumentConflict, text);
     }
 
     /// Whether films are given.
@@ -159,7 +176,10 @@ impl ModelArgs {
             .iter()
             .flat_map(|list| list.value.iter().map(|value| separation(*value, list.unit)));
         let films = films(&self.films, &self.ratios);
-        let given = separations.chain(films).chain(loads(&self.loads, &self.pressures));
+        let approaches = self.approaches.iter().flat_map(|list| &list.0);
+        let approaches = approaches.map(|approach| At::from(Separation::metres(-approach)));
+        let given =
+            separations.chain(films).chain(approaches).chain(loads(&self.loads, &self.pressures));
         let given: Vec<At> = given.collect();
         if given.is_empty() {
             otherwise.iter().map(|s| separation(*s, SeparationUnit::Sigma)).collect()

@@ -78,6 +78,9 @@ pub(crate) fn law(
             let what = "which follows from a map of the gap; use boundary elements";
             unsupported(format!("{quantity}, {what}"))
         }
+        (_, Derivation::Bodies) => unsupported(format!(
+            "{quantity} of flat surfaces; [curvature] in the scene describes curved bodies"
+        )),
         (_, Derivation::Flow | Derivation::Gap) => {
             unsupported(format!("{quantity}, which follows from the film alone"))
         }

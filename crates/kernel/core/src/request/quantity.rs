@@ -72,7 +72,8 @@ impl Quantity {
             | Derivation::Slope(_)
             | Derivation::Flow
             | Derivation::Gap
-            | Derivation::Map => self,
+            | Derivation::Map
+            | Derivation::Bodies => self,
             Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
             Derivation::Ratio(above, _) => above.origin(),
             Derivation::ContactRadii(_) => Self::ContactRadiusSum,
@@ -127,10 +128,17 @@ impl Quantity {
         matches!(self.derivation(), Derivation::Map)
     }
 
-    /// Whether models of contact have this quantity, and not boundary elements or a film alone.
+    /// Whether the quantity is of the patch of curved bodies, of which flat ones have none.
+    #[must_use]
+    pub fn is_of_bodies(self) -> bool {
+        matches!(self.derivation(), Derivation::Bodies)
+    }
+
+    /// Whether models of flat surfaces have this quantity, and not boundary elements, curved bodies
+    /// or a film alone.
     #[must_use]
     pub fn is_of_models(self) -> bool {
-        !self.is_of_film() && !self.is_of_map()
+        !self.is_of_film() && !self.is_of_map() && !self.is_of_bodies()
     }
 
     /// The property of the interface that this quantity needs, for a stiffness or a conductance.

@@ -39,6 +39,8 @@ pub(crate) enum Derivation {
     Gap,
     /// Of a map of the gap, and of no law of asperities.
     Map,
+    /// Of curved bodies.
+    Bodies,
 }
 
 /// An entry of the table.
@@ -296,5 +298,56 @@ quantities! {
         definition: "Estimate of the hydraulic gap from the distribution of the gap alone \
             (Bruggeman), 0 where half of the area or more is closed.",
         derivation: Derivation::Map,
+    }
+    Approach {
+        name: "approach", symbol: "delta", unit: "m", label: "approach of the bodies",
+        definition: "How far curved bodies have approached from where they would first touch, the \
+            rough one at the mean of its asperity heights.",
+        derivation: Derivation::Bodies,
+    }
+    ApproachBeyondHertz {
+        name: "approach-beyond-hertz", symbol: "delta-delta_H", unit: "m",
+        label: "approach beyond smooth bodies",
+        definition: "Approach of curved bodies less that of smooth ones at the same load.",
+        derivation: Derivation::Bodies,
+    }
+    PeakPressure {
+        name: "peak-pressure", symbol: "p_0", unit: "Pa", label: "peak pressure",
+        definition: "Largest pressure between curved bodies, averaged over many asperities.",
+        derivation: Derivation::Bodies,
+    }
+    PeakPressureRatio {
+        name: "peak-pressure-ratio", symbol: "p_0/p_H", unit: "", label: "peak pressure over Hertz'",
+        definition: "Peak pressure over the peak pressure of smooth bodies at the same load.",
+        derivation: Derivation::Bodies,
+    }
+    AxisX {
+        name: "axis-x", symbol: "a", unit: "m", label: "half axis of the patch along x",
+        definition: "Half axis of the patch of curved bodies along x, by the mean square of x with \
+            the pressure as weight: Hertz' for smooth bodies.",
+        derivation: Derivation::Bodies,
+    }
+    AxisY {
+        name: "axis-y", symbol: "b", unit: "m", label: "half axis of the patch along y",
+        definition: "The same along y; of a line contact half its length.",
+        derivation: Derivation::Bodies,
+    }
+    EffectiveRadius {
+        name: "effective-radius", symbol: "a*", unit: "m", label: "effective radius of the patch",
+        definition: "Radius of a circular patch by Greenwood and Tripp, 3 pi/4 times the integral of \
+            p r over that of p.",
+        derivation: Derivation::Bodies,
+    }
+    CentralSeparation {
+        name: "central-separation", symbol: "d_0", unit: "m", label: "separation in the middle",
+        definition: "Separation in the middle of the patch of curved bodies, from the mean of the \
+            asperity heights.",
+        derivation: Derivation::Bodies,
+    }
+    CentralAreaFraction {
+        name: "central-area-fraction", symbol: "A/A_n(0)", unit: "",
+        label: "real over nominal area in the middle",
+        definition: "Share of real contact area in the middle of the patch of curved bodies.",
+        derivation: Derivation::Bodies,
     }
 }

@@ -71,7 +71,8 @@ impl RowCheck {
             true => (quantity.origin(), behind(quantity.origin()).unwrap_or(0.0)),
             false => (quantity, value),
         };
-        if signed < 0.0 {
+        // Of curved bodies, an approach and a separation may have either sign.
+        if signed < 0.0 && !quantity.is_of_bodies() {
             found(if adhesive { Oddity::Adhesion } else { Oddity::Negative }, of, signed);
         }
         if value == 0.0 && evaluation.scaled != 0.0 && !absolute {
