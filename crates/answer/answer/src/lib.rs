@@ -11,6 +11,7 @@ mod history;
 mod inquiry;
 mod models;
 mod number;
+mod patch;
 mod pull_off;
 mod ranges;
 mod recommend;
@@ -36,6 +37,7 @@ pub use models::{
     ALL_MODELS, models, once, one_model, one_or_usual, scene_findings, use_asperities,
 };
 pub use number::{rounded, within};
+pub use patch::patch;
 pub use pull_off::pull_off;
 pub use ranges::{NO_RANGE, with_ranges};
 pub use recommend::Recommend;

@@ -1,9 +1,11 @@
 //! The models that a scene allows.
 
 use asperity::joints::{Correlated, Correlation};
-use asperity::{Asperities, Code, ContactError, ContactModel, Finding, Model, Quantity, Request};
+use asperity::{
+    Asperities, Code, ContactError, ContactModel, Finding, Model, Quantity, Request, Tolerance,
+};
 use asperity_bem::Bem;
-use asperity_curved::BetweenCurved;
+use asperity_curved::{BetweenCurved, Curved};
 
 use crate::error::{Place, SceneError};
 use crate::options::ModelOptions;
@@ -53,6 +55,24 @@ impl SceneFile {
                 }
             }
         }
+    }
+
+    /// A model between the curved bodies of the scene, with these quantities of its patch.
+    ///
+    /// # Errors
+    /// Those of [`model`](Self::model) and of [`Curved::new`], and [`ContactError::Missing`] of
+    /// flat bodies.
+    pub fn curved(
+        &self,
+        id: &str,
+        asked: &[Quantity],
+        tolerance: Tolerance,
+    ) -> Result<Result<Curved, ContactError>, SceneError> {
+        let model = self.spec.options.model(id)?;
+        let flat =
+            || ContactError::Missing { field: "curvature", reason: "the bodies are flat".into() };
+        let bodies = self.spec.curvature.ok_or_else(flat).and_then(|bodies| bodies.shape());
+        Ok(bodies.and_then(|shape| Curved::new(&model, &self.scene, shape, asked, tolerance)))
     }
 
     /// The model between the scene's bodies, where these are curved.

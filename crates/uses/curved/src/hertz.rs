@@ -17,6 +17,15 @@ pub struct Hertz {
     pub approach: Option<f64>,
 }
 
+impl Hertz {
+    /// Pressure at a place from the middle of the patch \[m\], y = 0 for a line contact \[Pa\].
+    #[must_use]
+    pub fn pressure(&self, [x, y]: [f64; 2]) -> f64 {
+        let within = 1.0 - (x / self.axes[0]).powi(2) - (y / self.axes[1]).powi(2);
+        self.peak_pressure * within.max(0.0).sqrt()
+    }
+}
+
 /// K(e) and (K(e) - E(e))/e² of an ellipse with half axes of the ratio b/a = √(1 - e²), by the
 /// arithmetic-geometric mean.
 fn elliptic(ratio: f64) -> [f64; 2] {

@@ -54,6 +54,10 @@ const EDGE: f64 = 1e-9;
 const WIDEST: f64 = 6.0;
 /// Loads below this share of E σ_z² are those of bodies that do not touch.
 const FREE: f64 = 1e-30;
+/// The smallest tolerance: the pressure at the edge of the grid is 1e-9 of its peak.
+const FINEST: f64 = 1e-8;
+/// The tolerance where the default one is asked for, which would take ten times as long.
+const USUAL: f64 = 1e-6;
 /// The largest number of points along a side.
 const MOST: usize = 2048;
 
@@ -140,8 +144,9 @@ fn above_zero(field: &'static str, value: f64) -> Result<f64, ContactError> {
 
 impl Curved {
     /// Compiles a model for these bodies: for pressures, and for the quantities asked for (area,
-    /// contacts, unloading stiffness). The numbers of solutions are right to the tolerance,
-    /// relative to the value, lengths to the larger of value and σ_z.
+    /// contacts, unloading stiffness). The numbers of solutions are right to the tolerance, from
+    /// 1e-8, relative to the value, lengths to the larger of value and σ_z; to 1e-6 where the
+    /// default tolerance is asked for, as finer ones take longer here.
     ///
     /// # Errors
     /// Radii and lengths that are not above 0, models with adhesion, and the errors of the model.
@@ -163,6 +168,10 @@ impl Curved {
                 above_zero("reference_length", reference_length.unwrap_or(1.0))?;
             }
         }
+        let tolerance = match tolerance {
+            unasked if unasked == Tolerance::default() => Tolerance::new(USUAL)?,
+            asked => Tolerance::new(asked.relative().max(FINEST))?,
+        };
         let of_layer = Tolerance::new((0.01 * tolerance.relative()).max(1e-12))?;
         let layer = Layer::new(model, scene, asked, of_layer)?;
         Ok(Self { layer, shape, asked: asked.to_vec(), tolerance: tolerance.relative() })
@@ -194,6 +203,12 @@ impl Curved {
     #[must_use]
     pub fn shape(&self) -> Shape {
         self.shape
+    }
+
+    /// The relative tolerance of its numbers.
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
     }
 
     /// Points along a side of the grid at a load \[N\].

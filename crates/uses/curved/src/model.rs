@@ -7,15 +7,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity_core::{
     At, Citation, Code, Contact, ContactEngine, ContactError, ContactModel, Datum, Described,
-    Evaluation, Finding, Quantity, Request, Scene, Separation, SeparationUnit, Tolerance, Validity,
+    Evaluation, Finding, Quantity, Request, Scene, Separation, SeparationUnit, Validity,
 };
 
 use crate::{Curved, Shape, Solution};
 
-/// The smallest tolerance: the pressure at the edge of the grid is 1e-9 of its peak.
-const FINEST: f64 = 1e-8;
-/// The tolerance where the default one is asked for, which would take ten times as long.
-const USUAL: f64 = 1e-6;
 const NEEDS_LENGTH: &str = "set reference_length, on which it depends";
 
 /// A model of rough surfaces between curved bodies, under its own name.
@@ -101,16 +97,11 @@ impl ContactModel for BetweenCurved {
             request.quantities.iter().copied().filter_map(of_layer).collect();
         layer.sort_unstable();
         layer.dedup();
-        let tolerance = match request.tolerance {
-            unasked if unasked == Tolerance::default() => Tolerance::new(USUAL)?,
-            asked => Tolerance::new(asked.relative().max(FINEST))?,
-        };
         let found = OfBodies {
-            curved: Curved::new(&*self.model, scene, self.shape, &layer, tolerance)?,
+            curved: Curved::new(&*self.model, scene, self.shape, &layer, request.tolerance)?,
             id: self.id().into(),
             scene: scene.clone(),
             quantities: request.quantities.clone(),
-            tolerance: tolerance.relative(),
             solved: Mutex::default(),
         };
         request.quantities.iter().try_for_each(|quantity| found.check(*quantity))?;
@@ -126,7 +117,6 @@ struct OfBodies {
     id: String,
     scene: Scene,
     quantities: Vec<Quantity>,
-    tolerance: f64,
     /// By the number, and whether it is a load.
     solved: Mutex<HashMap<(bool, u64), Solved>>,
 }
@@ -209,15 +199,19 @@ impl OfBodies {
             of_joint => {
                 let radii =
                     found.unloading_stiffness()? / (2.0 * self.scene.interface.equivalent_modulus);
-                let value =
-                    Evaluation::of_contact_radii(of_joint, radii, &self.scene, self.tolerance)?;
+                let value = Evaluation::of_contact_radii(
+                    of_joint,
+                    radii,
+                    &self.scene,
+                    self.curved.tolerance(),
+                )?;
                 return value.ok_or_else(none);
             }
         };
         if !value.is_finite() {
             return Err(none());
         }
-        let error = self.tolerance * (size / value.abs()).max(1.0);
+        let error = self.curved.tolerance() * (size / value.abs()).max(1.0);
         Ok(Evaluation::new(value, error))
     }
 

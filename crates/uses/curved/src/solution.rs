@@ -147,7 +147,7 @@ impl<'c> Solution<'c> {
     /// # Errors
     /// [`ContactError::NotRequested`] for a quantity that was not asked for.
     pub fn sum(&self, quantity: Quantity) -> Result<f64, ContactError> {
-        Ok(self.field(quantity)?.iter().sum::<f64>() * self.state.weight * self.length())
+        Ok(self.per_area(quantity)?.iter().sum::<f64>() * self.state.weight * self.length())
     }
 
     /// The area fraction in the middle of the patch.
@@ -158,7 +158,18 @@ impl<'c> Solution<'c> {
         self.of.layer.at(Quantity::Area, self.central_separation())
     }
 
-    fn field(&self, quantity: Quantity) -> Result<Vec<f64>, ContactError> {
+    /// Place of a point of the grid from the middle of the patch \[m\]; 0 across a line.
+    #[must_use]
+    pub fn place(&self, point: usize) -> [f64; 2] {
+        let across = if self.state.grid.n[1] == 1 { 0.0 } else { self.state.grid.place(point, 1) };
+        [self.state.grid.place(point, 0), across]
+    }
+
+    /// The values of a quantity per nominal area on the grid.
+    ///
+    /// # Errors
+    /// [`ContactError::NotRequested`] for a quantity that was not asked for.
+    pub fn per_area(&self, quantity: Quantity) -> Result<Vec<f64>, ContactError> {
         if !self.of.asked.contains(&quantity) {
             return Err(ContactError::NotRequested { quantity });
         }
@@ -192,7 +203,7 @@ impl<'c> Solution<'c> {
     /// # Errors
     /// [`ContactError::NotRequested`] if the unloading stiffness was not asked for.
     pub fn unloading_stiffness(&mut self) -> Result<f64, ContactError> {
-        let values = self.field(Quantity::UnloadingStiffness)?;
+        let values = self.per_area(Quantity::UnloadingStiffness)?;
         let loading = std::mem::replace(&mut self.state.slopes, values);
         let own = self.state.stiffness(self.of.tolerance);
         self.state.slopes = loading;

@@ -1,20 +1,22 @@
 //! `asperity curve`: quantities against separation or load, their plan, and the largest tension.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 use asperity::bem::Bem;
 use asperity::{At, ContactModel, Quantity, Request, SeparationUnit, linspace};
-use asperity_answer::{Beside, Cell, Inquiry, Sheet, models, one_model, with_ranges};
+use asperity_answer::{Beside, Cell, Inquiry, Sheet, models, one_model, patch, with_ranges};
 use asperity_scene::{SceneFile, read_measurements};
 use clap::Args;
 use clap::error::ErrorKind;
 
 use crate::commands::pull_off::pull_off;
-use crate::input::args::{DrawnArgs, ModelArgs, PressArgs, model_id};
+use crate::input::args::{DrawnArgs, ModelArgs, PressArgs, model_id, patch_file};
 use crate::input::usage_error;
 use crate::interrupt::Terminal;
 use crate::output::plot::{POINTS, Plot};
+use crate::output::table::csv;
+use crate::output::{write, write_text};
 use crate::scene::LoadedScene;
 
 /// The default quantities.
@@ -71,6 +73,10 @@ pub struct Curve {
     /// for the places (load_N, pressure_Pa, separation_m, ..) and the quantities
     #[arg(long, value_name = "FILE.csv", requires = "plot")]
     data: Option<PathBuf>,
+    /// Also write the patch of curved bodies, of one model at one load: as csv pressures,
+    /// separations, area fractions and the tangential flexibility of the layer, as svg a picture
+    #[arg(long, value_name = "FILE.csv|svg", value_parser = patch_file(), requires = "given")]
+    profile: Option<PathBuf>,
     #[command(flatten)]
     press: PressArgs,
     #[command(flatten)]
@@ -104,7 +110,28 @@ impl Curve {
         }
         let fill = |file: &_, sheet: &mut _| self.answer(file, &request, sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
+        if let Some(path) = &self.profile {
+            self.write_profile(&scene, &request, path)?;
+        }
         self.output.write(&sheet, || self.picture(&sheet, &request, scene.file.plane()))
+    }
+
+    /// The patch of one model at one load.
+    fn write_profile(&self, scene: &LoadedScene, request: &Request, path: &Path) -> Result<()> {
+        let ([id], [At::Load(load)], Some(_)) =
+            (&self.asked.models[..], &request.at[..], scene.file.spec.curvature)
+        else {
+            let text = "--profile is of one --model at one --load, of a scene with [curvature]";
+            usage_error("curve", ErrorKind::ArgumentConflict, text);
+        };
+        let of_patch = patch(&scene.file, id, *load, request.tolerance);
+        let [all, axes] = of_patch.with_context(|| scene.name.clone())?;
+        if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("svg")) {
+            let plot = Plot::new(&["contact"], "distance_m", &["pressure_Pa", "area_fraction"]);
+            let plot = Plot { is_linear: true, ..plot };
+            return write_text(Some(path), &plot.svg(&axes)?);
+        }
+        write(Some(path), |out| csv(&all, out))
     }
 
     /// The quantities against the places, with the measured points of a file.

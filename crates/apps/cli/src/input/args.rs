@@ -311,6 +311,11 @@ pub fn svg_file() -> impl TypedValueParser<Value = PathBuf> {
     file_ending(&["svg"], what)
 }
 
+/// The name of a file of a patch.
+pub fn patch_file() -> impl TypedValueParser<Value = PathBuf> {
+    file_ending(&["csv", "svg"], "the patch is written as csv, and drawn as svg")
+}
+
 /// A relative tolerance.
 pub fn tolerance(text: &str) -> Result<Tolerance, String> {
     let tolerance = if text.contains('%') { relative_error(text)? } else { number(text)? };

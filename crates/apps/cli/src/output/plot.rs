@@ -28,13 +28,16 @@ pub struct Plot {
     pub panels: Vec<[String; 2]>,
     /// The plane that separations are measured from, where they are.
     pub from: Option<&'static str>,
+    /// Whether axes are linear whatever they span.
+    pub is_linear: bool,
 }
 
 impl Plot {
     /// Some columns against one, in curves by the cells of others.
     pub fn new(curves: &[&str], x: &str, columns: &[&str]) -> Self {
         let panels = columns.iter().map(|y| [x.into(), (*y).into()]).collect();
-        Self { curves: curves.iter().map(|name| (*name).into()).collect(), panels, from: None }
+        let curves = curves.iter().map(|name| (*name).into()).collect();
+        Self { curves, panels, from: None, is_linear: false }
     }
 
     /// The same with separations from this plane.
@@ -62,7 +65,7 @@ impl Plot {
             let points = points(&drawn, x, y)?;
             let mut across = axis(x, self.from);
             let along: Vec<f64> = points.iter().map(|(_, x, _)| *x).collect();
-            if !is_path && !is_even(&along) {
+            if !is_path && !self.is_linear && !is_even(&along) {
                 across.scale = Scale::fitting(&along);
             }
             let mut up = axis(y, self.from);
@@ -70,7 +73,8 @@ impl Plot {
             let low: Vec<&str> =
                 points.iter().filter(|(.., y)| *y <= 0.0).map(|(curve, ..)| *curve).collect();
             // Loops have as many values on either side of 0.
-            if !quantity.is_some_and(Quantity::is_absolute) && 4 * low.len() < points.len() {
+            let is_wide = !self.is_linear && !quantity.is_some_and(Quantity::is_absolute);
+            if is_wide && 4 * low.len() < points.len() {
                 up.scale = Scale::fitting(&points.iter().map(|(.., y)| *y).collect::<Vec<_>>());
             }
             if up.scale == Scale::Log {
