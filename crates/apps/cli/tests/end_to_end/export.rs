@@ -2,7 +2,7 @@
 
 use asperity::{At, ContactModel, Model, Quantity, Request};
 
-use crate::bench::{Bench, NEGATIVE, cells, column, column_of, conducting};
+use crate::bench::{Bench, cells, column, column_of, conducting};
 
 /// Pressures of the model itself at clearances in metres.
 fn pressures(bench: &Bench, clearances: &[f64]) -> Vec<f64> {
@@ -86,19 +86,6 @@ fn a_table_may_be_between_loads_or_pressures() {
     assert_eq!((metres[0], metres.len()), (0.0, 5));
     assert!((metres[4] / 2e-6 - 1.0).abs() < 1e-14);
     assert_eq!(of("--load 1N:0.1kN:9"), table);
-    let printed =
-        bench.refusals("export scene.toml --model ke --as csv --load={}", &["1:1e30:9", "-1:5:9"]);
-    insta::assert_snapshot!(printed);
-}
-
-#[test]
-fn tables_unusable_by_a_solver_are_refused() {
-    let bench = Bench::new();
-    bench.write("scene.toml", NEGATIVE);
-    let run = bench.run("export scene.toml --model at --as csv --separation 0:3:31");
-    assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
-    let coarse = bench.run("export scene.toml --model ke --as csv --separation 0:6:2");
-    assert_eq!(coarse.code, Some(1));
 }
 
 #[test]
@@ -215,20 +202,6 @@ fn conductance_and_friction_agree_with_the_model() {
     for pair in &pairs[..pairs.len() - 1] {
         same(pair[0], of(Quantity::ThermalConductance, At::metres(pair[1])));
     }
-    let export = export.replace("--max-error 0.02", "").replace("1e7", "1e7:9");
-    // The second before any table is made: no table meets this error. More pairs than in the last
-    // conduct wrongly in ccx 2.20.
-    let printed = bench.refusals(
-        &format!("{export} {{}}"),
-        &[
-            "--as calculix --conductance clearance",
-            "--as csv --friction 0.2 --max-error 1e-16",
-            "--as csv --conductance pressure",
-            "--as calculix --max-error 1e-6",
-            "--as calculix --conductance pressure --max-error 1e-3",
-        ],
-    );
-    insta::assert_snapshot!(printed);
 }
 
 #[test]
@@ -275,8 +248,6 @@ fn tables_in_mm_hold_the_same_numbers_in_their_units() {
     }
     let texts = of("--as abaqus --conductance clearance");
     same(texts.each_ref().map(|text| block(text, "*GAP CONDUCTANCE")), &[1e-3, 1e3]);
-    let run = bench.run("export scene.toml --model ke --as csv --load 1:10:5 --units inch");
-    assert!(run.code == Some(2));
 }
 
 #[test]
@@ -289,8 +260,6 @@ fn nodes_may_have_equal_ratios_of_load() {
         let wanted = 10f64.powf(4.0 + 0.1 * k as f64);
         assert!((found / wanted - 1.0).abs() < 1e-8, "{k} {found}");
     }
-    let refused = bench.run("export scene.toml --model ke --as csv --separation 1:3:9:log");
-    assert_eq!(refused.code, Some(2), "{}", refused.messages);
 }
 
 #[test]
@@ -321,7 +290,4 @@ fn a_table_of_films_has_pressure_and_factors_and_the_numbers_that_codes_take() {
         let both = column(&films, name).into_iter().zip(column(&curve, name));
         assert!(both.into_iter().all(|(one, other)| (one / other - 1.0).abs() < 1e-10), "{films}");
     }
-    let refused =
-        bench.run("export scene.toml --model ke --as film --lambda 1:2:3 --units mm-N-MPa");
-    assert_eq!(refused.code, Some(1), "{}", refused.messages);
 }

@@ -24,26 +24,6 @@ fn loads_lead_back_to_their_separations() {
 }
 
 #[test]
-fn pressures_are_loads_on_the_nominal_area() {
-    let bench = Bench::new();
-    let data = bench.data("curve scene.toml --model ke --pressure 1e6,1e-200 --quantity pressure");
-    assert_eq!(column(&data, "load_N"), [1e6 * 1e-4, 1e-200 * 1e-4]);
-    for (found, wanted) in column(&data, "pressure_Pa").iter().zip([1e6, 1e-200]) {
-        assert!((found / wanted - 1.0).abs() < 1e-9, "{found} {wanted}");
-    }
-}
-
-#[test]
-fn loads_that_no_separation_carries_are_refused_with_the_range() {
-    let bench = Bench::new();
-    let run = bench.run("curve scene.toml --model gw,ke --load 1e30");
-    assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
-    for printed in ["[no-value]", "N, above ", "scene.toml"] {
-        assert!(run.messages.contains(printed), "{}", run.messages);
-    }
-}
-
-#[test]
 fn all_separations_of_a_load_are_rows_on_request() {
     let bench = Bench::new();
     bench.write("scene.toml", NEGATIVE);
