@@ -47,6 +47,6 @@ def test_factors_of_flow_follow_the_lay_of_the_scene() -> None:
     np.testing.assert_allclose(found["pressure-flow-factor-y"], 1 - 1.38 * np.exp(-0.42 * ratio))
     again = asperity.Scene.parse(along.to_toml())
     assert again.flow_factors([2.0, 4.0], quantities=names) == found
-    # Two like surfaces: the shear of one cancels that of the other.
+    # Two like surfaces: the shears cancel.
     shear = along.flow_factors([2.0], quantities="shear-flow-factor", pairs=True)
     assert shear["shear-flow-factor"] == [0.0]

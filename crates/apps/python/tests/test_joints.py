@@ -169,7 +169,7 @@ def test_histories_follow_closing_and_opening(scene: asperity.Scene) -> None:
     plane = asperity.Scene(
         scene.interface, scene.surface, scene.nominal_area, separation_from="surface-mean"
     )
-    table = ke.joint_table(scene, -0.5, 5.0)
+    table = ke.joint_table(scene, 0.9, 3.1)
     way = np.array([3.0, 1.5, 1.6, 1.9, 1.7, 1.5, 1.0, 1.1, 1.4, 1.2])
     force, stiffness = table.history(way)
     back = [None, None, 1.5, 1.5, 1.5, None, None, 1.0, 1.0, 1.0]
@@ -183,9 +183,9 @@ def test_histories_follow_closing_and_opening(scene: asperity.Scene) -> None:
             joint = ke.unloading(scene, closest)
             assert abs(force[k] - joint.force(at - closest)) < 1e-6 * joint.force(0.0)
             assert stiffness[k] == pytest.approx(joint.stiffness(at - closest), rel=1e-3)
-    metres = ke.joint_table(scene, -0.5 * sigma, 5 * sigma, separation_unit="m")
+    metres = ke.joint_table(scene, 0.9 * sigma, 3.1 * sigma, separation_unit="m")
     offset = scene.surface.mean_plane_offset / sigma
-    moved = ke.joint_table(plane, -0.5 + offset, 5.0 + offset)
+    moved = ke.joint_table(plane, 0.9 + offset, 3.1 + offset)
     for other, given in [(metres, way * sigma), (moved, way + offset)]:
         np.testing.assert_allclose(other.history(given)[0], force, rtol=1e-6)
     closest, steps = np.inf, []
@@ -196,14 +196,14 @@ def test_histories_follow_closing_and_opening(scene: asperity.Scene) -> None:
     assert closest == 1.0 and type(steps[0]) is float
     again = pickle.loads(pickle.dumps(table))
     np.testing.assert_array_equal(again.history(way.reshape(2, 5))[1].ravel(), stiffness)
-    assert repr(again) == repr(table) and "from -0.5 to 5.0" in repr(table)
-    for call in (lambda: table.step(-0.6, 1.0), lambda: table.history([1.0, -0.6])):
-        with pytest.raises(ValueError, match=r"-0\.5 asperity_height_std"):
+    assert repr(again) == repr(table) and "from 0.9 to 3.1" in repr(table)
+    for call in (lambda: table.step(0.8, 1.0), lambda: table.history([1.0, 0.8])):
+        with pytest.raises(ValueError, match=r"0\.9 asperity_height_std"):
             call()
 
 
 def test_many_joints_step_at_once_with_exact_tangents(scene: asperity.Scene) -> None:
-    table = asperity.model("ke").joint_table(scene, -0.5, 5.0)
+    table = asperity.model("ke").joint_table(scene, -0.2, 3.5)
     separations = np.linspace(0.0, 3.0, 12).reshape(3, 4)
     force, stiffness, closest = table.step(separations)
     back = separations + np.linspace(0.0, 0.4, 12).reshape(3, 4) - 0.1
@@ -221,8 +221,8 @@ def test_many_joints_step_at_once_with_exact_tangents(scene: asperity.Scene) -> 
         np.testing.assert_array_equal(one, other)
     with pytest.raises(ValueError, match="broadcast"):
         table.step([1.0, 2.0], [1.0, 2.0, 3.0])
-    with pytest.raises(ValueError, match=r"separation is -0\.6 asperity_height_std"):
-        table.step([1.0, -0.6])
+    with pytest.raises(ValueError, match=r"separation is -0\.3 asperity_height_std"):
+        table.step([1.0, -0.3])
     metres = asperity.model("ke").joint_table(scene, 0.0, 4e-6, separation_unit="m")
     for state in (None, 1e-6):
         with pytest.raises(ValueError, match="separation is NaN"):

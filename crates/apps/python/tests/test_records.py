@@ -64,7 +64,7 @@ def test_numbers_are_read_with_their_units_as_in_scene_files() -> None:
     assert "sdq = 5.8e-2" in by_gradient.to_toml()
     body = asperity.Body("69 GPa", 0.33, hardness="770 MPa")
     assert by_file.interface == asperity.Interface.against_rigid(body)
-    # The peaks are the asperities, and sq is that of the surface: std below sq.
+    # The peaks are the asperities, and sq belongs to the surface: std below sq.
     assert by_file.surface.asperity_radius == 2e-4 and by_file.surface.asperity_density == 2e8
     of_std: dict[str, Any] = {"asperity_radius": "0.2 mm", "surface_height_std": "1.1 um"}
     assert by_file.surface == asperity.Surface.of(**of_std, asperity_density=2e8)

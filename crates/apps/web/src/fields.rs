@@ -175,8 +175,8 @@ pub(crate) fn changed(text: &str) -> String {
     format!("# {CHANGED} {first}.\n{rest}")
 }
 
-/// The numbers that a body with another material has: none or, without a material, those of the old
-/// one.
+/// The numbers that a body with another material has: none or, without a material, the numbers of
+/// the old one.
 fn numbers_of_material(change: &Change, known: &BTreeMap<String, String>) -> Vec<Change> {
     let Some(body) = change.path.strip_suffix(".material") else { return vec![] };
     let is_own = change.value.as_ref().is_none_or(String::is_empty);

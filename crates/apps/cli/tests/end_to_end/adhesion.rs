@@ -60,15 +60,3 @@ fn the_pull_off_agrees_with_the_library_and_is_blank_without_tension() {
     assert!(run.code == Some(0) && cells(&run.out, "force_N") == [""], "{}", run.out);
     assert!(run.messages.contains("[no-value]"), "{}", run.messages);
 }
-
-#[test]
-fn curves_and_recommendations_name_the_adhesive_model_to_use() {
-    let bench = soft();
-    for arguments in ["check soft.toml", "curve soft.toml --separation 1", "recommend soft.toml"] {
-        let run = bench.run(arguments);
-        let all = run.out + &run.messages;
-        assert!(all.contains("[adhesion]"), "{arguments}: {all}");
-    }
-    let quiet = bench.run("curve soft.toml --model jkr --separation 1").messages;
-    assert!(!quiet.contains("tabor_parameter"), "{quiet}");
-}

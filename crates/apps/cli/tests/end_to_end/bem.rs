@@ -25,42 +25,6 @@ pub fn bench() -> Bench {
 }
 
 #[test]
-fn a_scan_with_a_few_missing_points_is_solved_if_filled() {
-    let bench = bench();
-    let scan = bench.read("scan.txt");
-    let mut arguments: Vec<&str> = scan.split(' ').collect();
-    arguments[500] = "nan";
-    arguments[7000] = "nan";
-    bench.write("scan.txt", &arguments.join(" "));
-    for command in ["bem", "bem --compare"] {
-        let refused = bench.run(&format!("{command} scan.toml --pressure 1e8"));
-        assert!(
-            refused.code == Some(1) && refused.messages.contains("fill_missing"),
-            "{}",
-            refused.messages
-        );
-    }
-    bench.write("scan.toml", &format!("{SCAN}fill_missing = true\n"));
-    let run = bench.run("bem scan.toml --pressure 1e8 --format csv");
-    assert!(run.messages.contains("[filled]"), "{}", run.messages);
-    bench.write("whole.txt", &scan);
-    bench.write("whole.toml", &SCAN.replace("scan.txt", "whole.txt"));
-    let whole = bench.data("bem whole.toml --pressure 1e8 --format csv");
-    let [filled, whole] = [run.out, whole].map(|data| column(&data, "area_fraction")[0]);
-    assert!((filled / whole - 1.0).abs() < 0.03, "{filled} {whole}");
-    let surface = "surface scan.txt --unit um --pixel-size 0.5 --fill-missing";
-    let arguments = bench.run(surface).messages;
-    assert!(arguments.contains("[filled]"), "{arguments}");
-    fn holed(word: &str) -> &str {
-        if word.starts_with("0.1") { "nan" } else { word }
-    }
-    let row = |line: &str| line.split(' ').map(holed).collect::<Vec<_>>().join(" ");
-    bench.write("scan.txt", &scan.lines().map(row).collect::<Vec<_>>().join("\n"));
-    let many = bench.run(&format!("{surface} --max-missing 0.5"));
-    assert!(many.code == Some(1), "{}", many.messages);
-}
-
-#[test]
 fn rows_are_those_of_the_library() {
     let bench = bench();
     for (arguments, boundary, elastic) in [
@@ -98,16 +62,6 @@ fn rows_are_those_of_the_library() {
     }
     let of = |arguments: &str| bench.data(&format!("bem scan.toml --format csv {arguments}"));
     assert_eq!(of("--load 3e3"), of("--pressure 1e8"));
-}
-
-#[test]
-fn the_tangent_of_a_free_boundary_exceeds_the_unloading_stiffness() {
-    let bench = bench();
-    let asked = "--elastic --pressure 5e9 --boundary free --quantity tangent,unloading-stiffness";
-    let data = bench.data(&format!("bem scan.toml --format csv {asked}"));
-    let [tangent, unloading] =
-        ["tangent_N_per_m", "unloading_stiffness_N_per_m"].map(|name| column(&data, name)[0]);
-    assert!(tangent > 1.05 * unloading, "{tangent} {unloading}");
 }
 
 #[test]

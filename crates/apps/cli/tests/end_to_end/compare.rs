@@ -81,26 +81,3 @@ fn unloading_stiffnesses_are_compared_if_named() {
     let none = bench.run(&format!("{ask} force"));
     assert!(none.code == Some(1), "{}", none.messages);
 }
-
-/// A scan with resolved waves, of this skewness.
-fn resolved(bench: &crate::bench::Bench, skewness: f64) {
-    let generate = "generate --long 20um --roll-off 16um --short 2um --size 256x256 --pixel 0.25um --gradient 0.1 --seed 3";
-    let run = bench.run(&format!("{generate} --skewness={skewness} --output made.npy"));
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    let keys = "file = \"made.npy\"\nunit = \"m\"\npixel_size = 2.5e-7\nperiodic = true\n";
-    let interface =
-        "[interface]\nequivalent_modulus = 116e9\npoissons_ratio = 0.3\nhardness = 1e10\n";
-    bench.write("made.toml", &format!("nominal_area = 1e-9\n{interface}[surface]\n{keys}"));
-}
-
-#[test]
-fn the_solved_surfaces_agree_or_differ() {
-    let bench = bench();
-    for (skewness, shape) in [(0.0, "psi 1."), (-1.0, "")] {
-        resolved(&bench, skewness);
-        let run =
-            bench.run("bem --compare made.toml --pressure 2e8,1e9 --model gw,ke --format csv");
-        let line = run.results().into_iter().find(|line| line.starts_with("ke "));
-        assert!(line.is_some_and(|line| line.contains(shape)), "{}", run.messages);
-    }
-}

@@ -98,17 +98,6 @@ fn negative_numbers_follow_a_blank_or_an_equals_sign() {
 }
 
 #[test]
-fn metres_and_multiples_of_sigma_are_the_same_place() {
-    let bench = Bench::new();
-    let metres = bench.data("curve scene.toml --model ke --separation 2e-6m");
-    let sigmas = bench.data("curve scene.toml --model ke --separation 2");
-    for name in ["separation_over_sigma", "separation_m", "force_N"] {
-        let (a, b) = (column(&metres, name)[0], column(&sigmas, name)[0]);
-        assert!((a / b - 1.0).abs() < 1e-13, "{name}: {a} {b}");
-    }
-}
-
-#[test]
 fn separations_from_the_mean_plane_are_printed_as_given() {
     let bench = Bench::new();
     bench.write("plane.toml", &format!("{NO_SHEAR}separation_from = \"surface-mean\"\n"));
@@ -231,16 +220,6 @@ fn measured_points_stand_over_the_curves_of_their_quantities() {
     assert!(svg.contains(">pressure (Pa)<") && svg.contains(">measured<"), "{svg}");
     // Crosses: two points and the key of the legend, each with its rim.
     assert_eq!(svg.matches("d=\"M-3.6 -3.6L3.6 3.6M-3.6 3.6L3.6 -3.6\"").count(), 2 * 3);
-}
-
-#[test]
-fn a_model_has_one_look_in_every_plot() {
-    let bench = Bench::new();
-    for models in ["ke", "gw,jg,ke", "ke --corrected"] {
-        let asked = "curve scene.toml --quantity area --load 20000 --plot p.svg";
-        bench.data(&format!("{asked} --model {models}"));
-        assert!(bench.read("p.svg").contains("stroke=\"#D55E00\""), "{models}");
-    }
 }
 
 #[test]

@@ -18,31 +18,6 @@ fn stated_error(table: &str, before: &str) -> f64 {
 }
 
 #[test]
-fn cubics_through_the_csv_meet_the_stated_error() {
-    let bench = Bench::new();
-    let table = bench.data("export scene.toml --model ke --as csv --separation -1:4:51");
-    let [x, p, k] =
-        ["clearance_m", "pressure_Pa", "tangent_Pa_per_m"].map(|name| column(&table, name));
-    assert_eq!(x.len(), 51);
-    let stated = stated_error(&table, "nodes: pressure ");
-    assert!(stated > 1e-7 && stated < 1e-3, "{stated}");
-    let mut worst: f64 = 0.0;
-    for i in 0..50 {
-        // Bernstein form: the same cubic by another road.
-        let h = x[i + 1] - x[i];
-        let control = [p[i], p[i] - k[i] * h / 3.0, p[i + 1] + k[i + 1] * h / 3.0, p[i + 1]];
-        for t in [0.1, 0.35, 0.5, 0.8] {
-            let s: f64 = 1.0 - t;
-            let weights = [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t];
-            let cubic: f64 = weights.iter().zip(control).map(|(w, c)| w * c).sum();
-            let exact = pressures(&bench, &[x[i] + t * h])[0];
-            worst = worst.max((cubic / exact - 1.0).abs());
-        }
-    }
-    assert!(worst <= 1.02 * stated && worst > 0.5 * stated, "{worst} {stated}");
-}
-
-#[test]
 fn lines_through_the_abaqus_pairs_meet_the_requested_error() {
     let bench = Bench::new();
     let table =
@@ -67,25 +42,6 @@ fn lines_through_the_abaqus_pairs_meet_the_requested_error() {
     // No kink where the cut-off meets the curve.
     let slope = |k: usize| (pairs[k + 1].0 - pairs[k].0) / (pairs[k + 1].1 - pairs[k].1);
     assert!((slope(0) / slope(1) - 1.0).abs() < 0.15, "{} {}", slope(0), slope(1));
-}
-
-#[test]
-fn a_table_may_be_between_loads_or_pressures() {
-    let bench = Bench::new();
-    let of =
-        |arguments: &str| bench.data(&format!("export scene.toml --model ke --as csv {arguments}"));
-    let table = of("--pressure 1e4:1e6:9");
-    let pressures = column(&table, "pressure_Pa");
-    assert!((pressures[0] / 1e6 - 1.0).abs() < 1e-9 && (pressures[8] / 1e4 - 1.0).abs() < 1e-9);
-    assert!(pressures.is_sorted_by(|a, b| a > b));
-    assert_eq!(of("--load 1:100:9"), table);
-    let fine = of("--load 1:100 --max-error 1e-5");
-    assert!(stated_error(&fine, "nodes: pressure ") <= 1e-5);
-    assert_eq!(cells(&fine, "clearance_m")[0], cells(&table, "clearance_m")[0]);
-    let metres = column(&of("--separation 0:2um:5"), "clearance_m");
-    assert_eq!((metres[0], metres.len()), (0.0, 5));
-    assert!((metres[4] / 2e-6 - 1.0).abs() < 1e-14);
-    assert_eq!(of("--load 1N:0.1kN:9"), table);
 }
 
 #[test]
@@ -248,18 +204,6 @@ fn tables_in_mm_hold_the_same_numbers_in_their_units() {
     }
     let texts = of("--as abaqus --conductance clearance");
     same(texts.each_ref().map(|text| block(text, "*GAP CONDUCTANCE")), &[1e-3, 1e3]);
-}
-
-#[test]
-fn nodes_may_have_equal_ratios_of_load() {
-    let bench = Bench::new();
-    let table = bench.data("export scene.toml --model ke --as csv --pressure 1e4:1e7:31:log");
-    let pressure = column(&table, "pressure_Pa");
-    assert_eq!(pressure.len(), 31);
-    for (k, found) in pressure.iter().rev().enumerate() {
-        let wanted = 10f64.powf(4.0 + 0.1 * k as f64);
-        assert!((found / wanted - 1.0).abs() < 1e-8, "{k} {found}");
-    }
 }
 
 #[test]

@@ -43,24 +43,6 @@ fn unloading_is_printed_as_it_is_computed() {
 }
 
 #[test]
-fn plots_have_markers_at_the_requested_points() {
-    let bench = Bench::new();
-    for (arguments, panels, points) in [
-        ("joint scene.toml --model ke --friction 0.2 --load 100:1e4:5:log --amplitude 100nm", 3, 5),
-        ("joint scene.toml --model ke --load 100 --retreat 0:0.4:4", 3, 4),
-    ] {
-        bench.data(&format!("{arguments} --plot joint.svg"));
-        let svg = bench.read("joint.svg");
-        let markers = svg.lines().filter(|line| line.starts_with("<path")).count();
-        // Each is drawn with its rim; one stands in the legend.
-        assert_eq!(markers, 2 * (panels * points + 1), "{arguments}");
-    }
-    // The stiffness from 100 N to 1e4 N is on a logarithmic axis, as the load is.
-    bench.data("joint scene.toml --model ke --friction 0.2 --load 1e4,1e3,1e2 --amplitude 100nm --plot s.svg");
-    assert!(bench.read("s.svg").contains("10⁹"));
-}
-
-#[test]
 fn all_laws_have_their_loss_and_end_of_contact() {
     let bench = Bench::new();
     let run = bench.run("joint scene.toml --model ke --law hertz,brake,etsion --load 2kN");

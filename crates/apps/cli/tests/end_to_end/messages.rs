@@ -3,28 +3,6 @@
 use crate::bench::{Bench, NO_SHEAR, cells, column, csv, is_long};
 
 #[test]
-fn separations_in_metres_have_a_warning_and_skewness_is_reported() {
-    let bench = Bench::new();
-    for arguments in [
-        "curve scene.toml --model ke --separation 1e-6",
-        "check scene.toml --separation 1e-6",
-        "joint scene.toml --model ke --closest 1e-6 --retreat 0",
-        "export scene.toml --model ke --as csv --separation 0:1e-6:2",
-    ] {
-        let printed = bench.run(arguments).messages;
-        assert!(printed.contains("[likely-unit]"), "{arguments}: {printed}");
-        let metres = bench.run(&arguments.replace("1e-6", "1um")).messages;
-        assert!(!metres.contains("likely-unit"), "{arguments}: {metres}");
-    }
-    let far = bench.run("joint scene.toml --load 100 --friction 0.3 --amplitude 20 --points 3");
-    assert!(far.messages.contains("[likely-unit]"), "{}", far.messages);
-    let skewed = asperity_scene::template().replace("\"gaussian\"", "{ skewness = -0.5 }");
-    bench.write("skewed.toml", &skewed);
-    let check = bench.data("check skewed.toml --format csv");
-    assert!(check.contains("asperity_height_skewness,-0.5"), "{check}");
-}
-
-#[test]
 fn an_elastic_scene_needs_no_more_than_greenwood_and_williamson() {
     let bench = Bench::new();
     bench.write("soft.toml", &NO_SHEAR.replace("_std = 1e-6", "_std = 1e-10"));
