@@ -2,7 +2,7 @@
 
 use asperity::{At, ContactModel, Model, Quantity, Request};
 
-use crate::bench::{Bench, cells, column, column_of, conducting};
+use crate::bench::{Bench, column, column_of, conducting};
 
 /// Pressures of the model itself at clearances in metres.
 fn pressures(bench: &Bench, clearances: &[f64]) -> Vec<f64> {
