@@ -7,7 +7,7 @@ import signal
 import threading
 import warnings
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import asperity
 import numpy as np
@@ -87,21 +87,6 @@ def test_maps_agree_with_the_numbers(boundary: asperity._bem.Boundary, elastic: 
     twice = asperity.bem(oblong, interface=STEEL, pressure=given, maps=False)
     np.testing.assert_allclose(twice["load_N"], 2 * found["load_N"], rtol=1e-12)
     assert twice.pressures is None and twice.gaps is None
-
-
-def test_a_boundary_is_declared_or_found() -> None:
-    saw = 0.01 * np.tile(np.arange(64) / 64, (64, 1))
-    elastic = asperity.Interface(1e9, 0.3)
-    given: dict[str, Any] = {"interface": elastic, "pressure": 5e6}
-    declared = asperity.Topography(saw, 1 / 64, "m", periodic=True)
-    assert asperity.bem(declared, **given)["boundary"] == ["periodic"]
-    open_edges = asperity.Topography(saw, 1 / 64, "m")
-    given["level"] = "none"
-    with pytest.warns(asperity.ContactWarning, match="^periodic-part: ") as recorded:
-        assert asperity.bem(open_edges, **given)["boundary"] == ["periodic-part"]
-    assert sum(str(one.message).startswith("periodic-part") for one in recorded) == 1
-    for boundary in get_args(asperity._bem.Boundary):
-        assert asperity.bem(open_edges, boundary=boundary, **given)["boundary"] == [boundary]
 
 
 def test_scene_and_scan_are_the_same_contact(scene: asperity.Scene) -> None:
@@ -291,22 +276,6 @@ def test_a_scan_slips_and_sticks(tmp_path: Path, scene: asperity.Scene) -> None:
     gross = asperity.bem_slip(elastic, amplitude=1e-6, points=3, friction=0.3, load=load)
     assert gross["force_N"][2] == pytest.approx(0.3 * load, rel=1e-9)
     assert gross.states.max() == 1 and 1.2 < gross["loss_factor"][2] < 4 / np.pi
-
-
-def test_a_scan_is_pressed_by_the_options_of_its_scene_unless_others_are_given(
-    scene: asperity.Scene, tmp_path: Path
-) -> None:
-    text = scene.to_toml() + '\n[options]\nboundary = "free"\nelastic = true\n'
-    free = asperity.Scene.parse(text, tmp_path)
-    given: dict[str, Any] = {"pressure": 2e8, "maps": False}
-    one = asperity.bem(free, **given)
-    two = asperity.bem(scene, boundary="free", elastic=True, **given)
-    assert one["boundary"] == ["free"] and one["mean_gap_m"] == two["mean_gap_m"]
-    assert one["plastic_fraction"] == 0
-    assert asperity.bem(free, boundary="periodic", **given)["boundary"] == ["periodic"]
-    model = asperity.model("bem", boundary="free", elastic=True)
-    curve = model.solve(scene, pressure=2e8, quantities=["area_fraction"])
-    assert float(curve.area_fraction) == pytest.approx(one["area_fraction"][0], rel=1e-9)
 
 
 def test_fluid_leaks_through_the_gap_until_the_contact_seals() -> None:

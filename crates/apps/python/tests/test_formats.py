@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import gzip
 import re
-import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -207,8 +206,7 @@ def test_the_line_of_the_message_converts(tmp_path: Path) -> None:
         asperity.Topography.read(path)
     line = re.search(r'python3 -c "(.*)"', str(error.value))
     assert line is not None
-    code = line[1].replace("FILE", str(path))
-    subprocess.run([sys.executable, "-W", "ignore", "-c", code], check=True)
+    exec(line[1].replace("FILE", str(path)))
     check(tmp_path / "a.nc.gwy", MAP, 5e-6, 2e-6, 1e-12)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from pathlib import Path
 from typing import Any
 
@@ -31,18 +30,6 @@ def test_units_are_those_of_heights_and_spacing() -> None:
         assert other.shape == (128, 192)
         np.testing.assert_allclose(other.heights, metres.heights, rtol=1e-14)
         np.testing.assert_allclose(other.pixel_size, (1e-6, 1e-6), rtol=1e-14)
-
-
-def test_only_the_mean_is_removed_from_a_periodic_surface() -> None:
-    # A plane fitted to one long wave is not level.
-    waves = HEIGHTS + np.sin(2 * np.pi * np.arange(192) / 192)
-    periodic = asperity.Topography(waves, 1.0, "um", periodic=True)
-    kept = periodic.statistics(level="none")["m4"]
-    assert periodic.statistics()["m4"] == pytest.approx(kept, rel=1e-9)
-    heights = periodic.heights - periodic.heights.mean()
-    np.testing.assert_allclose(periodic.level().heights, heights, atol=1e-18)
-    with pytest.warns(UserWarning, match="periodic surface"):
-        assert periodic.statistics(level="plane")["m4"] > 1.1 * kept
 
 
 def test_a_few_missing_points_are_filled(tmp_path: Any) -> None:
@@ -129,23 +116,6 @@ def test_outliers_are_reported_first_and_replaced() -> None:
     assert statistics["outliers"]["count"] == 1
     despiked = surface.despiked()
     assert despiked.despiked_points == 1 and despiked.outliers()["count"] == 0
-
-
-def test_a_wave_has_statistics_without_asperities() -> None:
-    turn = 2 * np.pi * 4 * np.arange(64) / 64
-    wave = np.cos(turn + turn[:, None])
-    surface = asperity.Topography(wave, 1.0, "um", periodic=True)
-    with pytest.warns(asperity.ContactWarning) as recorded:
-        found = surface.statistics()
-    texts = [str(one.message) for one in recorded]
-    assert any(text.startswith("no-asperities: ") for text in texts), texts
-    # Its lay is at 45 degrees to the rows.
-    assert any(text.startswith("anisotropic: ") for text in texts), texts
-    assert found["sq"] == pytest.approx(np.sqrt(0.5) * 1e-6) and found["asperity_radius"] is None
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        with pytest.raises(ValueError, match="bandwidth|summits"):
-            surface.surface()
 
 
 def test_random_surfaces_are_those_of_the_program_and_have_their_parameters() -> None:
