@@ -79,7 +79,7 @@ fn arrays_hold_the_single_values() {
                         assert!(same || off <= allowed, "{id} {quantity} {s}: {value} {wanted:?}");
                     }
                 }
-                // The bound is no smaller and not much larger; the cancellation is that of the step
+                // The bound is no smaller and not much larger; the cancellation belongs to the step
                 // in s where the worst value is, or of the value by itself where steps vary more.
                 let FillReport { bound, .. } = known;
                 assert!(

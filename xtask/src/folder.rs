@@ -18,7 +18,7 @@ pub fn figures_folder() -> PathBuf {
     root().join("figures")
 }
 
-/// The folder of what cargo and these tasks make: that of `CARGO_TARGET_DIR`, as for cargo, or the
+/// The folder of what cargo and these tasks make: `CARGO_TARGET_DIR`, as for cargo, or the
 /// workspace's `target`.
 #[must_use]
 pub fn target_folder() -> PathBuf {

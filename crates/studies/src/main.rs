@@ -20,7 +20,7 @@ enum Study {
         /// Evaluate the models anew beside what is kept and committed, and solve nothing
         #[arg(long)]
         kept: bool,
-        /// Solve all cases that target/truth does not hold, those of the committed table too
+        /// Solve all cases that target/truth does not hold, also cases of the committed table
         #[arg(long, conflicts_with = "kept")]
         anew: bool,
     },

@@ -212,18 +212,6 @@ mod tests {
     }
 
     #[test]
-    fn legend_keys_have_line_and_marker() {
-        let mut figure = figure(&["a", "b"], false);
-        let with = draw(&figure, CSV).unwrap();
-        figure.panels[0].curves.iter_mut().for_each(|curve| curve.label.clear());
-        let without = draw(&figure, CSV).unwrap();
-        // A marker is drawn as its rim and its shape.
-        for (tag, more) in [("stroke-dasharray", 1), ("<path", 4), (">b</text>", 1)] {
-            assert_eq!(with.matches(tag).count(), without.matches(tag).count() + more, "{tag}");
-        }
-    }
-
-    #[test]
     fn a_gap_is_a_break_that_can_be_joined_by_dots() {
         let csv = "curve,x,y\na,0,1\na,1,1\na,,\na,1,5\na,2,5\n";
         let mut figure = figure(&["a"], false);
@@ -251,37 +239,5 @@ mod tests {
         assert!(draw(&figure, CSV).is_ok());
         figure.panels.clear();
         assert!(draw(&figure, CSV).is_ok());
-    }
-
-    #[test]
-    fn direct_names_stand_beside_their_points_inside_the_frame() {
-        let mut figure = figure(&["a", "b"], false);
-        figure.legend = Legend::Direct;
-        figure.panels[0].curves[1].label = "second name".into();
-        assert_eq!(draw(&figure, CSV).unwrap().matches("second name").count(), 1);
-        figure.panels[0].curves[1].label.clear();
-        assert!(!draw(&figure, CSV).unwrap().contains("second name"));
-    }
-
-    #[test]
-    fn areas_marks_and_strips_are_drawn_with_their_labels() {
-        let csv = "curve,x,y\na,0,1\na,1,2\nlow,0,0.5\nlow,1,1\nhigh,0,2\nhigh,1,9\n";
-        let mut figure = figure(&["a"], false);
-        let panel = &mut figure.panels[0];
-        panel.between = vec![Between {
-            lower: "low".into(),
-            upper: "high".into(),
-            look: 2,
-            label: "range".into(),
-        }];
-        panel.strips = vec![Strip::upright(0.5, f64::INFINITY, "half")];
-        panel.verticals = vec![Mark::new(0.25, "quarter")];
-        panel.horizontals = vec![Mark::new(3.0, "three")];
-        let svg = draw(&figure, csv).unwrap();
-        // The area, its swatch in the legend, and the strip.
-        assert_eq!(svg.matches("<polygon").count(), 3);
-        for word in ["half", "quarter", "three", "range"] {
-            assert!(svg.contains(&format!(">{word}<")), "{word}");
-        }
     }
 }

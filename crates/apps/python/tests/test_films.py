@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asperity
 import numpy as np
-import pytest
 
 SCENE = """
 nominal_area = 1e-4
@@ -48,18 +47,6 @@ def test_factors_of_flow_follow_the_lay_of_the_scene() -> None:
     np.testing.assert_allclose(found["pressure-flow-factor-y"], 1 - 1.38 * np.exp(-0.42 * ratio))
     again = asperity.Scene.parse(along.to_toml())
     assert again.flow_factors([2.0, 4.0], quantities=names) == found
-    # Two like surfaces: the shear of one cancels that of the other.
+    # Two like surfaces: the shears cancel.
     shear = along.flow_factors([2.0], quantities="shear-flow-factor", pairs=True)
     assert shear["shear-flow-factor"] == [0.0]
-
-
-def test_what_has_no_factor_is_refused() -> None:
-    scene = asperity.Scene.parse(SCENE)
-    with pytest.raises(ValueError, match=r"surface_height_std is 0\.4"):
-        scene.flow_factors([0.4], quantities="shear-flow-factor")
-    with pytest.raises(ValueError, match="force"):
-        scene.flow_factors([2.0], quantities="force")
-    with pytest.raises(ValueError, match="shear-flow-factor"):
-        asperity.model("ke").solve(scene, lambda_ratio=2, quantities="shear-flow-factor")
-    with pytest.raises(TypeError, match="lambda_ratio and pressure"):
-        asperity.model("ke").solve(scene, 2, film=1e-6)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import gzip
 import re
-import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -207,8 +206,7 @@ def test_the_line_of_the_message_converts(tmp_path: Path) -> None:
         asperity.Topography.read(path)
     line = re.search(r'python3 -c "(.*)"', str(error.value))
     assert line is not None
-    code = line[1].replace("FILE", str(path))
-    subprocess.run([sys.executable, "-W", "ignore", "-c", code], check=True)
+    exec(line[1].replace("FILE", str(path)))
     check(tmp_path / "a.nc.gwy", MAP, 5e-6, 2e-6, 1e-12)
 
 
@@ -235,5 +233,3 @@ def test_line_scans_at_unequal_distances_are_interpolated() -> None:
     assert "interpolated linearly at 4" in mine.notes[0]
     with pytest.raises(ValueError, match="unit is missing"):
         asperity.read(other.NonuniformLineScan(places, places))
-    with pytest.raises(ValueError, match="ascending"):
-        asperity.Topography.from_profile([0.0, 2.0, 1.0], [0.0, 1.0, 2.0], "um")

@@ -296,12 +296,6 @@ def test_exceptions_of_laws_are_raised_by_the_call(
         model.separation_at(scene, 1.0)
 
 
-def test_objects_that_are_no_models_are_refused() -> None:
-    for thing in (3, object, type("NoArea", (), {}), np.sin):
-        with pytest.raises(ValueError, match="is no model"):
-            asperity.model(thing)  # type: ignore[arg-type]
-
-
 def test_a_contact_recovers_from_an_exception(scene: asperity.Scene) -> None:
     class Moody(KogutEtsion):
         good = False

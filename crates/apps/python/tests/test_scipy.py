@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asperity
-import numpy as np
 import pytest
 import scipy.integrate
 import scipy.stats
@@ -81,38 +80,3 @@ def test_forces_and_areas_are_the_integrals_of_the_laws(name: str, heights: str)
         assert abs(found / wanted - 1.0) < 1e-8
 
     check()
-
-
-@settings(max_examples=15, deadline=None, derandomize=True)
-@given(random_scenes(), st.floats(-2.0, 4.0), st.sampled_from(["gw", "zmc", "ke", "jg"]))
-def test_tangents_are_the_slopes_of_forces(
-    scene: asperity.Scene, separation: float, name: str
-) -> None:
-    step = 1e-3
-    at = separation + step * np.array([-2.0, -1.0, 1.0, 2.0])
-    model = asperity.model(name)
-    force = model.solve(scene, at, rtol=1e-14).force / scene.surface.asperity_height_std
-    slope = (8.0 * (force[1] - force[2]) - (force[0] - force[3])) / (12.0 * step)
-    tangent = model.solve(scene, separation, "tangent").tangent
-    assert abs(tangent / slope - 1.0) < 1e-8
-
-
-@settings(max_examples=15, deadline=None, derandomize=True)
-@given(random_scenes(), st.floats(-3.0, 12.0), st.sampled_from(["gw", "ke", "etsion", "jg"]))
-def test_separations_and_loads_lead_to_each_other(
-    scene: asperity.Scene, separation: float, name: str
-) -> None:
-    model = asperity.model(name)
-    load = model.solve(scene, separation).force
-    found = model.separation_at(scene, load)
-    assert found.shape == ()
-    assert abs(found - separation) < 1e-11 * (1.0 + abs(separation))
-
-
-@settings(max_examples=25, deadline=None, derandomize=True)
-@given(st.lists(random_scenes(), min_size=2, max_size=5), st.floats(-2.0, 4.0))
-def test_many_scenes_and_one_by_one_agree(scenes: list[asperity.Scene], separation: float) -> None:
-    model = asperity.model("ke")
-    together = model.solve(scenes, separation)
-    alone = np.array([model.solve(scene, separation).force for scene in scenes])
-    assert (np.abs(together.force / alone - 1.0) <= 2.0 * together.error("force")).all()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from pathlib import Path
 from typing import Any
 
@@ -31,18 +30,6 @@ def test_units_are_those_of_heights_and_spacing() -> None:
         assert other.shape == (128, 192)
         np.testing.assert_allclose(other.heights, metres.heights, rtol=1e-14)
         np.testing.assert_allclose(other.pixel_size, (1e-6, 1e-6), rtol=1e-14)
-
-
-def test_only_the_mean_is_removed_from_a_periodic_surface() -> None:
-    # A plane fitted to one long wave is not level.
-    waves = HEIGHTS + np.sin(2 * np.pi * np.arange(192) / 192)
-    periodic = asperity.Topography(waves, 1.0, "um", periodic=True)
-    kept = periodic.statistics(level="none")["m4"]
-    assert periodic.statistics()["m4"] == pytest.approx(kept, rel=1e-9)
-    heights = periodic.heights - periodic.heights.mean()
-    np.testing.assert_allclose(periodic.level().heights, heights, atol=1e-18)
-    with pytest.warns(UserWarning, match="periodic surface"):
-        assert periodic.statistics(level="plane")["m4"] > 1.1 * kept
 
 
 def test_a_few_missing_points_are_filled(tmp_path: Any) -> None:
@@ -74,19 +61,6 @@ def test_a_scan_becomes_a_surface_and_a_force() -> None:
     assert asperity.model("ke").solve(scene, 1.0).force > 0.0
     summits = asperity.Topography(HEIGHTS, 1.0, "um").surface(estimator="summits")
     assert 0.3 < summits.asperity_density / surface.asperity_density < 3.0
-
-
-def test_unreadable_surfaces_are_refused() -> None:
-    with pytest.raises(ValueError, match="unit is .furlong."):
-        asperity.Topography(HEIGHTS, 1.0, "furlong")
-    with pytest.raises(ValueError, match="heights has 3 dimensions"):
-        asperity.Topography(np.zeros((2, 2, 2)), 1.0, "um")
-    with pytest.raises(ValueError, match="pixel_size is "):
-        asperity.Topography(HEIGHTS, 0.0, "um")
-    with pytest.raises(ValueError, match="level is .cubic."):
-        asperity.Topography(HEIGHTS, 1.0, "um").statistics(level="cubic")
-    with pytest.raises(TypeError, match="^ndarray"):
-        asperity.read(HEIGHTS)
 
 
 def test_surfaces_of_surface_topography() -> None:
@@ -144,23 +118,6 @@ def test_outliers_are_reported_first_and_replaced() -> None:
     assert despiked.despiked_points == 1 and despiked.outliers()["count"] == 0
 
 
-def test_a_wave_has_statistics_without_asperities() -> None:
-    turn = 2 * np.pi * 4 * np.arange(64) / 64
-    wave = np.cos(turn + turn[:, None])
-    surface = asperity.Topography(wave, 1.0, "um", periodic=True)
-    with pytest.warns(asperity.ContactWarning) as recorded:
-        found = surface.statistics()
-    texts = [str(one.message) for one in recorded]
-    assert any(text.startswith("no-asperities: ") for text in texts), texts
-    # Its lay is at 45 degrees to the rows.
-    assert any(text.startswith("anisotropic: ") for text in texts), texts
-    assert found["sq"] == pytest.approx(np.sqrt(0.5) * 1e-6) and found["asperity_radius"] is None
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        with pytest.raises(ValueError, match="bandwidth|summits"):
-            surface.surface()
-
-
 def test_random_surfaces_are_those_of_the_program_and_have_their_parameters() -> None:
     surface = asperity.random_surface(
         (96, 128),
@@ -179,10 +136,6 @@ def test_random_surfaces_are_those_of_the_program_and_have_their_parameters() ->
     assert surface.heights.std() == pytest.approx(0.3e-6, rel=1e-9)
     report = surface.report()
     assert report["slope_ratio"] == pytest.approx(2, rel=0.1)
-    with pytest.raises(TypeError, match="sq and gradient"):
-        asperity.random_surface((8, 8), 1e-6, long=8e-6, short=4e-6)
-    with pytest.raises(ValueError, match="two pixels"):
-        asperity.random_surface((8, 8), 1e-6, long=8e-6, short=1e-6, sq=1e-9)
 
 
 def test_a_surface_is_drawn_and_written(tmp_path: Path) -> None:
@@ -211,10 +164,6 @@ def test_two_surfaces_add_as_moments_and_aligned_scans_as_heights() -> None:
     assert flat.pixel_size == pytest.approx((1e-8, 1e-8), rel=1e-12)
     assert flat.facing(other).heights == pytest.approx((z + np.arange(5)) * 1e-9)
     assert flat.facing(other, mirrored=True).heights == pytest.approx((z + 4 - np.arange(5)) * 1e-9)
-    with pytest.raises(ValueError, match="aligned"):
-        flat.facing(asperity.Topography(z, ("10 nm", 11), "nm"))
-    with pytest.raises(ValueError, match="length above 0"):
-        asperity.Topography(z, "10 miles", "nm")
 
 
 def test_what_a_file_lacks_is_named_as_an_argument(tmp_path: Path) -> None:

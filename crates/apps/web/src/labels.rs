@@ -137,16 +137,7 @@ pub(crate) fn findings(all: &Findings, converted: &[(String, String)]) -> Value 
 
 #[cfg(test)]
 mod tests {
-    use asperity::At;
-    use asperity_scene::{HandedFiles, SceneFile, parse_handed};
-
     use super::*;
-    use crate::surface_keys::with_scan;
-
-    fn messages(all: &Findings) -> Vec<String> {
-        let message = |found: &Value| found["message"].as_str().unwrap().to_string();
-        findings(all, &[]).as_array().unwrap().iter().map(message).collect()
-    }
 
     #[test]
     fn keys_have_labels_and_letters_are_greek() {
@@ -170,74 +161,5 @@ mod tests {
         ] {
             assert_eq!(symbols(text), wanted);
         }
-    }
-
-    #[test]
-    fn where_contacts_merge_no_model_of_asperities_is_advised() {
-        let file = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
-        let file = file.unwrap();
-        let at = |pressure: f64| {
-            let found = |id: &str| {
-                let at = [asperity::At::Pressure(pressure)];
-                file.findings_at(&file.model(id).unwrap(), &at).into_iter()
-            };
-            let all = ["gw", "ke"].into_iter().flat_map(found).collect();
-            messages(&all).concat()
-        };
-        assert!(at(1e7).contains("use ke or jg"), "{}", at(1e7));
-        let merged = at(5e8);
-        assert!(merged.contains("gw ignores yielding") && merged.contains("contacts merge"));
-        assert!(!merged.contains("use ke or jg"), "{merged}");
-    }
-
-    /// The template on a scan of waves with one point far above the others.
-    fn spiked() -> SceneFile {
-        let height = |k: u32| {
-            let (x, y) = (f64::from(k % 64), f64::from(k / 64));
-            let waves = (0.9 * x + 0.3 * y).cos() + (0.8 * y - 0.4 * x).sin();
-            let end = if k % 64 == 63 { '\n' } else { '\t' };
-            format!("{:.4}{end}", waves + if k == 2080 { 60.0 } else { 0.0 })
-        };
-        let scan = (0..64 * 64).map(height).collect::<String>().into_bytes();
-        let files = HandedFiles::from([("scan.txt".to_string(), scan)]);
-        let text = with_scan(asperity_scene::template(), "scan.txt").unwrap();
-        let keys = "file = \"scan.txt\"\nunit = \"nm\"\npixel_size = \"1 um\"";
-        parse_handed(&text.replace("file = \"scan.txt\"", keys), &files).unwrap()
-    }
-
-    #[test]
-    fn no_advice_names_a_command() {
-        let refused = |body: &str| {
-            let text = format!(
-                "nominal_area = 1e-4\nrigid_counterface = true\n[[body]]\n{body}\n[surface]\n\
-                 asperity_radius = 1e-4\nasperity_density = 1e9\nasperity_height_std = 1e-6\n"
-            );
-            parse_handed(&text, &HandedFiles::new()).unwrap_err().to_string()
-        };
-        let file = spiked();
-        let ke = file.model("ke").unwrap();
-        let check = file.check(Some((&ke, At::Load(1e-3)))).unwrap();
-        let merged = file.findings_at(&ke, &[At::Pressure(1e9)]);
-        let all = [&merged, &check.findings, &file.warnings].map(messages).concat();
-        for offer in ["the table of slopes", "\"Replace outliers\"", "use boundary elements, "] {
-            assert!(all.iter().any(|message| message.contains(offer)), "{offer}: {all:#?}");
-        }
-        let refusals = [
-            file.surface_shape().unwrap_err().to_string(),
-            refused("material = \"unobtainium\""),
-            refused("material = \"steel-a36\"\nhardness = 2e9"),
-        ];
-        let no_command = |text: &String| !text.contains("asperity ") && !text.contains("--");
-        assert!(all.iter().chain(&refusals).all(no_command), "{all:#?} {refusals:#?}");
-    }
-
-    #[test]
-    fn variants_say_how_they_differ() {
-        let sentence = |id: &str| model_sentence(&id.parse().unwrap());
-        assert!(sentence("ke").starts_with("KE: Kogut & Etsion (2002); range: "));
-        let cosine = sentence("jg-cosine-random");
-        let wanted = "jg-cosine-random: Jackson & Green (2005); the hardness falls with ";
-        assert!(cosine.starts_with(wanted), "{cosine}");
-        assert!(cosine.contains("; averaged over asperities"), "{cosine}");
     }
 }

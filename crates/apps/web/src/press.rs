@@ -233,8 +233,6 @@ fn positive(field: &str, text: &str, unit: &str, example: &str) -> Result<f64, R
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
-
     use asperity_answer::{Sheet, Silent};
     use asperity_scene::{HandedFiles, parse_handed};
 
@@ -315,25 +313,6 @@ mod tests {
         assert_eq!(gaps[0], gaps[1]);
     }
 
-    #[test]
-    fn stiffnesses_are_slopes_of_load_over_gap_and_unloading_is_the_stiffer() {
-        let (file, events) = pressed(asperity_scene::template(), &[2e8, 1.9e8, 2.1e8], false);
-        let solved = |wanted: f64, name: &str| {
-            let at = |event: &&Value| {
-                event["pressure"].as_f64().is_some_and(|p| (p / wanted - 1.0).abs() < 1e-9)
-            };
-            digits(events.iter().find(at)?, name)
-        };
-        let of = |pressure, name| solved(pressure, name).unwrap();
-        let slope = (2.1e8 - 1.9e8) * file.scene.nominal_area
-            / (of(1.9e8, "mean-gap") - of(2.1e8, "mean-gap"));
-        let tangent = of(2e8, "tangent");
-        assert!((tangent / slope - 1.0).abs() < 0.02, "{tangent} {slope}");
-        // Pixels at the hardness respond only on loading.
-        assert!(of(2e8, "plastic-fraction") > 0.0);
-        assert!(of(2e8, "unloading-stiffness") > tangent);
-    }
-
     /// Viscosity and fall of the pressure.
     const OIL: [&str; 2] = ["1 mPa s", "1 bar"];
 
@@ -381,32 +360,5 @@ mod tests {
         let values = map["map"]["readings"]["values"].as_array().unwrap();
         assert!(values.iter().all(|value| value == "no flow"));
         assert_eq!(flows(&file, OIL, &[[0.0; 2]]).unwrap()["cells"][0][0]["shown"], "0 m³/s");
-    }
-
-    #[test]
-    fn a_wrong_fluid_is_refused_at_its_field() {
-        let (file, events) = pressed(asperity_scene::template(), &[3e8], false);
-        assert!(events.iter().all(|event| event["event"] != "flow"));
-        assert!(!events.iter().any(|event| event.to_string().contains("hydraulic")));
-        let [viscosity, drop] = OIL;
-        for (fluid, field) in [
-            (["46 cSt", drop], "viscosity"),
-            (["20", drop], "viscosity"),
-            (["-1 mPa s", drop], "viscosity"),
-            (["", drop], "viscosity"),
-            ([viscosity, ""], "pressure_drop"),
-            ([viscosity, "2 N"], "pressure_drop"),
-            ([viscosity, "0 Pa"], "pressure_drop"),
-        ] {
-            let refused = flows(&file, fluid, &[]).unwrap_err();
-            assert_eq!(refused.field, Some(format!("leak.{field}")));
-        }
-    }
-
-    #[test]
-    fn a_scene_without_a_scan_is_refused_with_what_to_do() {
-        let file = asperity_scene::parse(asperity_scene::template(), Path::new(".")).unwrap();
-        let refused = press(&file, &[1e6], false, |_| {}).unwrap_err();
-        assert_eq!(refused.field.as_deref(), Some("surface.file"));
     }
 }

@@ -100,19 +100,4 @@ mod tests {
         old.0.insert("hurst".into(), 0.8.into());
         assert_eq!(old.file().unwrap(), bytes);
     }
-
-    #[test]
-    fn wrong_numbers_are_refused_at_their_field() {
-        for (key, value) in [
-            ("pixels", "abc"),
-            ("pixels", "1e9"),
-            ("pixels", "1048576"),
-            ("seed", "-1"),
-            ("sq", "0.5 V"),
-        ] {
-            let refused = with(key, value).file().unwrap_err();
-            assert_eq!(refused.field, Some(format!("random.{key}")));
-        }
-        assert!(with("shortest", "1 um").file().is_err());
-    }
 }

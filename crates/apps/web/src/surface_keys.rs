@@ -331,7 +331,7 @@ mod tests {
         assert_eq!(other(&text), "same");
         assert!(text.contains("counterface = { ra = \"0.8 um\", finish = \"ground\" }"), "{text}");
         // Both together are as rough as the surface was; Rq of the middle of its range is 7 % above
-        // that of Gaussian heights.
+        // the Rq of Gaussian heights.
         let as_it_was = described(template, FINISH, &parse(template)).unwrap();
         let m0 = |text: &str| parse(text).scene.surface.moments().m0;
         assert!((m0(&as_it_was) / m0(template) - 1.0).abs() < 0.2, "{}", m0(&as_it_was));

@@ -59,7 +59,7 @@ pub enum Asperities {
     /// Heights and radii are distributed together as on an isotropic Gaussian surface with the
     /// moments of the asperities: see [`RandomAsperities`].
     Random,
-    /// Asperities of one radius meet those of another rough surface: see [`AsperityPairs`].
+    /// Asperities of one radius meet asperities of another rough surface: see [`AsperityPairs`].
     Pairs,
 }
 

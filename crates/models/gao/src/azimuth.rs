@@ -28,7 +28,7 @@ pub(crate) struct AzimuthAverage {
     slipped: f64,
 }
 
-/// The integral over the azimuths at which q sticks while p slips, less that of gross slip:
+/// The integral over the azimuths at which q sticks while p slips, less the integral of gross slip:
 /// ∫ (f(q, 1) - f(1, 1))/√(a² - q²) dq from 0 to 1, at nodes that are the same for every a.
 #[derive(Debug, Clone, Copy)]
 struct Strip {

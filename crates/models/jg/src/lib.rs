@@ -80,8 +80,8 @@ pub fn area_exponent(asperity: &Asperity) -> Result<f64, ContactError> {
     Ok(0.14 * (23.0 * asperity.yield_strength()? / asperity.equivalent_modulus).exp())
 }
 
-/// What the rounding of B adds to the relative error of the area, over ln(x/1.9): that of 23 S_y/E
-/// is multiplied by the exponential.
+/// What the rounding of B adds to the relative error of the area, over ln(x/1.9): the rounding of
+/// 23 S_y/E is multiplied by the exponential.
 fn area_exponent_error(asperity: &Asperity, b: f64) -> Result<f64, ContactError> {
     let argument = 23.0 * asperity.yield_strength()? / asperity.equivalent_modulus;
     Ok(f64::EPSILON * b * (3.0 + 2.0 * argument))

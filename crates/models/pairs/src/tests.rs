@@ -34,7 +34,7 @@ fn model(id: &str) -> AsperityPairs {
     }
 }
 
-/// A scene of the table of scenes, whose heights are those of both surfaces together.
+/// A scene of the table of scenes, with the heights of both surfaces together.
 fn scene(name: &str) -> Scene {
     let rows = include_str!("../../../../tests/reference/models_scenes.csv");
     let row = rows.lines().find(|row| row.starts_with(&format!("{name},"))).unwrap();
@@ -74,7 +74,7 @@ fn two_like_surfaces_have_the_values_of_the_reference() {
     assert_eq!(check_against(include_str!("../../../../tests/reference/pairs.csv"), scene), 748);
 }
 
-/// A second surface as in `pairs_unlike.py`, where the heights of the table are those of the first.
+/// A second surface as in `pairs_unlike.py`, where the table has the heights of the first.
 fn unlike(name: &str) -> Scene {
     let mut scene = scene(name);
     scene.surface.asperity_height_std *= 2f64.sqrt();

@@ -14,7 +14,7 @@ pub enum PerssonVariance {
     Full,
     /// (γ + (1-γ) A/A_n) V, γ = 0.45: smaller at small areas. Xu and others 2024.
     Fudge,
-    /// That of `Fudge`, and no pressure above the hardness: after Xu, Li & Mulvihill 2022.
+    /// `Fudge` with no pressure above the hardness: after Xu, Li & Mulvihill 2022.
     Plastic,
 }
 
@@ -91,7 +91,7 @@ mod tests {
     }
 
     /// The area by its definition: the share of the surface under a pressure σ > 0, whose density
-    /// is that of full contact less its mirror image.
+    /// equals full contact less its mirror image.
     #[test]
     fn areas_are_the_integral_of_the_pressure_density() {
         for variance in [PerssonVariance::Full, PerssonVariance::Fudge] {

@@ -14,7 +14,7 @@ pub const FARTHEST: f64 = 6.0;
 /// Relative rounding error of the ends of parts.
 const ROUNDING: f64 = 1e-12;
 
-/// A model of upright contacts whose heights and radii are those of an isotropic Gaussian surface.
+/// A model of upright contacts with the heights and radii of an isotropic Gaussian surface.
 ///
 /// It is not an [`AsperityModel`](asperity_core::AsperityModel), because the law that it averages
 /// over heights is not the law of one radius.

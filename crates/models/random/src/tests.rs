@@ -1,5 +1,5 @@
 //! Every row of `reference/population.csv`, computed by other programs, and inputs that are
-//! refused on a random surface. Twelve rows of CEB and AF are those of `population_kinks.py`:
+//! refused on a random surface. Twelve rows of CEB and AF are from `population_kinks.py`:
 //! the other program is up to 3e-11 off next to the kinks of these laws.
 
 use std::collections::BTreeMap;

@@ -21,7 +21,7 @@ const SHOWN: [&str; 6] = ["gw", "ke", "jg", "jg-random", "persson-fudge", "perss
 const FINER: usize = 2;
 
 /// What a user takes from the scan: moments averaged over all directions with Gaussian heights,
-/// those of profiles across the lay, or the average with the heights of the summits.
+/// slopes of profiles across the lay, or the average with the heights of the summits.
 const WAYS: [&str; 3] = ["mean of all directions", "across the lay", "mean, measured heights"];
 
 /// The scenes that a user makes, in the order of [`WAYS`]; their hardness is the family's.

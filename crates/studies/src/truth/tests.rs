@@ -7,7 +7,7 @@ use xtask::table::agree_by;
 use super::family::{FAMILIES, scene};
 use super::*;
 
-/// Numbers of models are thousandths, those of boundary elements have four digits and their errors
+/// Numbers of models are thousandths, boundary elements have four digits and their errors
 /// two, of which the last may differ; solutions stop at 1e-6 of Sq, and stiffnesses are differences
 /// of gaps 5 % apart. Whole numbers from `rounded` on may have been rounded to a neighbour.
 fn agree(found: &str, known: &str, rounded: f64) -> bool {

@@ -112,7 +112,7 @@ impl Front {
     }
 
     /// After the elimination: the shares of inlet and outlet in the pressures of the nodes that
-    /// were taken out, from those of the outer ones; all by the names of nodes.
+    /// were taken out, from the shares of the outer ones; all by the names of nodes.
     pub(crate) fn fill(&self, names: &[usize], shares: &mut [[f64; 2]]) {
         for (place, node) in self.inner.iter().enumerate().rev() {
             let others = self.inner[place + 1..].iter().chain(&self.outer);

@@ -68,7 +68,7 @@ pub(crate) struct GapMap<'a> {
     map: &'a HeightMap,
     /// The largest gap \[m\].
     pub(crate) largest: f64,
-    /// Of conductivities over that of the largest gap, of a liquid g³; 0 in contact.
+    /// Of conductivities relative to the largest gap, of a liquid g³; 0 in contact.
     network: Network,
 }
 
@@ -148,7 +148,7 @@ fn cube(gap: f64, largest: f64) -> f64 {
 }
 
 impl GapMap<'_> {
-    /// The conductivity of an even gap that lets as much pass, over that of the largest gap.
+    /// The conductivity of an even gap that lets as much pass, relative to the largest gap.
     pub(crate) fn conductance(&self, direction: Direction) -> Result<f64, BemError> {
         let [length, width] = outline(self.map, direction);
         let flows = inside(|| self.network.flows(direction));

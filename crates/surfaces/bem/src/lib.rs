@@ -49,11 +49,12 @@
 //! Kato (1997): the periodic kernel \[recalled\]; as tamaas and ContactMechanics use it \[seen\].
 //! Love (1929): the free kernel. \[recalled\] Almqvist and others (2007): the hardness as a cap.
 //! \[recalled\] The projection onto both bounds and the load: here.
-//! \[derived\] Elastic contact pixels are those of tamaas 2.9.0 and ContactMechanics 1.8.3 at every
+//! \[derived\] Elastic contact pixels equal tamaas 2.9.0 and ContactMechanics 1.8.3 at every
 //! load of `tests/reference/bem_codes.csv`, with a hardness areas are within 0.3 % of
-//! ContactMechanics', and all are those of dense linear systems in `tests/reference/bem_dense.csv`,
-//! as are stiffnesses at fixed contact. Leaks: dense systems, layers, a square array of square
-//! obstacles (Obnosov 1999 \[recalled\]), Keller's duality, in the tests.
+//! ContactMechanics', and all equal the solutions of dense linear systems in
+//! `tests/reference/bem_dense.csv`, as do stiffnesses at fixed contact. Leaks: dense systems,
+//! layers, a square array of square obstacles (Obnosov 1999 \[recalled\]), Keller's duality, in the
+//! tests.
 //!
 //! # Example
 //! ```

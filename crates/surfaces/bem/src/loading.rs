@@ -22,9 +22,9 @@ impl BoundaryElements {
     ///
     /// Where nothing yields it is the slope of the [fixed contact](BoundaryElements::fixed_contact)
     /// over the mean gap, which with a free boundary exceeds that over the approach. Otherwise it
-    /// is the chord between pressures up to 5 % to either side of that of `solution`, nearer where
-    /// the hardness carries less: of a gap that falls with the logarithm of the pressure that
-    /// difference is 0.1 % off; where few pixels touch it is a mean over that range.
+    /// is the chord between pressures up to 5 % to either side of the pressure of `solution`,
+    /// nearer where the hardness carries less: of a gap that falls with the logarithm of the
+    /// pressure that difference is 0.1 % off; where few pixels touch it is a mean over that range.
     ///
     /// # Errors
     /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`]

@@ -25,7 +25,7 @@ const CLASSES: usize = 1024;
 
 /// Findings of a contact at this place: few of the pixels touch, whose area is coarse, or they make
 /// few patches, so that one map does not represent its surface. A single patch on a free half-space
-/// is that of a single body, such as a ball.
+/// belongs to a single body, such as a ball.
 pub(crate) fn of_contact(
     at: At,
     [touching, pixels]: [usize; 2],

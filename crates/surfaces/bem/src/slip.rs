@@ -1,11 +1,11 @@
 //! Partial slip of an elastic contact under a constant load, from its normal solutions.
 //!
-//! With friction μ and bodies of like materials, the tractions are μ (p(P) - p(P*)): those of the
-//! contact less those of the same contact under the smaller load P*, whose pixels stick. Hence the
-//! tangential force Q = μ (P - P*), and the shift u = μ E/(4 G) (δ(P) - δ(P*)) with the approach δ
-//! (Ciavarella 1998, Jaeger 1998 \[recalled\]; \[derived\] from the ratio of the compliances). It
-//! is exact for circular contacts and for ν = 0; otherwise the ratio E/(4 G) depends on the shape:
-//! at ν = 0.3 contacts of 5 to 1 have 4 G/E of 0.77 to 0.88, circles 0.82.
+//! With friction μ and bodies of like materials, the tractions are μ (p(P) - p(P*)): pressures of
+//! the contact less pressures of the same contact under the smaller load P*, whose pixels stick.
+//! Hence the tangential force Q = μ (P - P*), and the shift u = μ E/(4 G) (δ(P) - δ(P*)) with the
+//! approach δ (Ciavarella 1998, Jaeger 1998 \[recalled\]; \[derived\] from the ratio of the
+//! compliances). It is exact for circular contacts and for ν = 0; otherwise the ratio E/(4 G)
+//! depends on the shape: at ν = 0.3 contacts of 5 to 1 have 4 G/E of 0.77 to 0.88, circles 0.82.
 
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};

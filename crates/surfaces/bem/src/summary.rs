@@ -8,8 +8,8 @@ use crate::error::refused;
 use crate::hydraulic::GapMap;
 use crate::{BemError, BoundaryElements, Direction, Solution};
 
-/// Relative error at the usual tolerance, of a contact of pixels; that of the grid is not part of
-/// it.
+/// Relative error at the usual tolerance, of a contact of pixels; the error of the grid is not part
+/// of it.
 const ERROR: f64 = 1e-6;
 /// Relative error of the slope of loading, which is a difference where pixels yield.
 const SLOPE_ERROR: f64 = 2e-3;
@@ -137,7 +137,7 @@ impl ContactSummary {
 
     /// A quantity on the nominal area of `scene`, for which the map stands. Stiffness and tangent
     /// are the slope of first loading against the mean gap. Stiffnesses and conductances of joints
-    /// are those of the stiffness at fixed contact: interaction included, contacts of any shape;
+    /// follow from the stiffness at fixed contact: interaction included, contacts of any shape;
     /// shear in stick as if they were circles. `None` for a quantity that boundary elements lack.
     ///
     /// # Errors

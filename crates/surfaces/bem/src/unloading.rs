@@ -15,8 +15,8 @@ const MOST_ITERATIONS: usize = 1000;
 #[non_exhaustive]
 pub struct FixedContact {
     /// Change of the mean pressure on the area of the map over the approach \[Pa/m\]. Periodic: the
-    /// approach of the mean planes; free: that of the rigid surface to distant points of the
-    /// half-space, which deflects under the map as a whole. Divided by 1 -
+    /// approach of the mean planes; free: the approach of the rigid surface to distant points of
+    /// the half-space, which deflects under the map as a whole. Divided by 1 -
     /// [`mean_deflection`](Self::mean_deflection) it is the change over the fall of the mean gap.
     pub stiffness: f64,
     /// Change of the mean deflection of the map over the approach: 0 if periodic.
@@ -34,8 +34,8 @@ impl BoundaryElements {
     /// elastically, and all of them deflect by the same approach.
     ///
     /// For elastic periodic contacts it is the slope of load over mean gap. For yielded ones it is
-    /// the slope at the start of unloading, which exceeds that of loading. By Barber's analogy the
-    /// constriction conductance of the same contacts is k_s/E times the stiffness. \[derived\]
+    /// the slope at the start of unloading, which exceeds the slope of loading. By Barber's analogy
+    /// the constriction conductance of the same contacts is k_s/E times the stiffness. \[derived\]
     ///
     /// # Errors
     /// [`BemError::Count`] for the solution of a map of another size, [`BemError::FullContact`]
@@ -60,9 +60,9 @@ impl BoundaryElements {
     /// the heights. The load of `solution` gives the same pressures again; smaller loads, or larger
     /// mean gaps, are the path of unloading, elastic as far as no pixel reaches the hardness again.
     ///
-    /// Mean gaps count from the mean plane of the new heights, and that of `solution` becomes its
-    /// [`gap_volume`](Solution::gap_volume): of a periodic map the difference to it is the retreat.
-    /// \[derived\]
+    /// Mean gaps count from the mean plane of the new heights, and the mean gap of `solution`
+    /// becomes its [`gap_volume`](Solution::gap_volume): of a periodic map the difference to it is
+    /// the retreat. \[derived\]
     ///
     /// # Errors
     /// [`BemError::Count`] for the solution of a map of another size.

@@ -1,4 +1,4 @@
-//! Memory use equals the documentation. One test, alone in its process: the peak is that of the
+//! Memory use equals the documentation. One test, alone in its process: the peak belongs to the
 //! process.
 
 #![cfg(target_os = "linux")]

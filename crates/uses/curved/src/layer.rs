@@ -23,8 +23,8 @@ impl Layer {
     /// Compiles a model for force, tangent and the asked quantities.
     ///
     /// # Errors
-    /// Those of the model, and [`ContactError::Unsupported`] for one whose pressure does not follow
-    /// from the separation alone.
+    /// The errors of the model, and [`ContactError::Unsupported`] for one whose pressure does not
+    /// follow from the separation alone.
     pub(crate) fn new(
         model: &dyn ContactModel,
         scene: &Scene,

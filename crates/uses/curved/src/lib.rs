@@ -272,7 +272,8 @@ impl Curved {
     /// The contact at an approach \[m\].
     ///
     /// # Errors
-    /// Those of [`at_load`](Self::at_load), and an approach of a line without a reference length.
+    /// The errors of [`at_load`](Self::at_load), and an approach of a line without a reference
+    /// length.
     pub fn at_approach(&self, approach: f64) -> Result<Solution<'_>, ContactError> {
         if matches!(self.shape, Shape::Line { reference_length: None, .. }) {
             return refused("the approach of a line contact needs a reference length");

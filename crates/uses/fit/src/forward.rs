@@ -11,7 +11,7 @@ use crate::{Data, Measured};
 
 /// Relative tolerance of predicted values, whose differences give the derivatives.
 const TOLERANCE: f64 = 1e-13;
-/// That of a model without laws of one asperity, which may compile tables for each scene.
+/// The same for a model without laws of one asperity, which may compile tables for each scene.
 const COMPILED: f64 = 1e-7;
 
 /// What a test rig adds: a reading of a separation d under a load F is

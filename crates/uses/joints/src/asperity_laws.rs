@@ -230,8 +230,8 @@ fn loss(y: f64, n: f64) -> f64 {
 /// √(work returned by unloading/work of loading). Stress waves and rate effects are ignored.
 ///
 /// # Errors
-/// Those of [`Joint::new`](crate::Joint::new); [`ContactError::OutOfRange`] for an interference
-/// that is not above 0.
+/// The errors of [`Joint::new`](crate::Joint::new); [`ContactError::OutOfRange`] for an
+/// interference that is not above 0.
 pub fn restitution(
     model: &(impl ContactModel + ?Sized),
     asperity: &Asperity,

@@ -100,8 +100,8 @@ impl PartialSlip {
     /// [dissipated](Self::loss)/(π Q D), from 0 for small amplitudes to 4/π in gross slip.
     ///
     /// # Errors
-    /// Those of [`force`](Self::force), and [`ContactError::OutOfRange`] unless the amplitude is
-    /// above 0 and the loss at least 2.2e-308 J.
+    /// The errors of [`force`](Self::force), and [`ContactError::OutOfRange`] unless the amplitude
+    /// is above 0 and the loss at least 2.2e-308 J.
     pub fn loss_factor(&self, amplitude: f64) -> Result<f64, ContactError> {
         let amplitude = positive("amplitude", amplitude)?;
         let (loss, force) = (self.loss(amplitude)?.value(), self.force(amplitude)?.value());
@@ -122,8 +122,8 @@ impl PartialSlip {
     /// 0.99 is nearly gross slip.
     ///
     /// # Errors
-    /// [`ContactError::OutOfRange`] for a share out of range or a joint without force; those of
-    /// [`force`](Self::force).
+    /// [`ContactError::OutOfRange`] for a share out of range or a joint without force; the errors
+    /// of [`force`](Self::force).
     pub fn shift_at(&self, share: f64) -> Result<f64, ContactError> {
         if !(share > 0.0 && share < 1.0) {
             let required = "a number above 0 and below 1";

@@ -32,7 +32,7 @@ impl Joint {
     /// # Errors
     /// [`ContactError::OutOfRange`] for a number out of range and for ends more than 1000 σ_z
     /// apart; [`ContactError::Integral`] with the error reached where the tolerance cannot be met
-    /// (a tolerance close to that of the joint, or jumps of the law with bounded heights); those of
+    /// (a tolerance close to the joint's, or jumps of the law with bounded heights); the errors of
     /// the evaluations.
     pub fn table(
         &self,

@@ -111,8 +111,8 @@ impl Unloading {
     /// the tolerance are accepted to 1e-6.
     ///
     /// # Errors
-    /// Those of [`force`](Self::force); [`ContactError::OutOfRange`] where more than one asperity
-    /// is in contact after 1e4 σ_z.
+    /// The errors of [`force`](Self::force); [`ContactError::OutOfRange`] where more than one
+    /// asperity is in contact after 1e4 σ_z.
     pub fn last_contact(&self) -> Result<f64, ContactError> {
         let sigma = self.scene().surface.asperity_height_std;
         // Logarithms, as the number falls faster than any power.

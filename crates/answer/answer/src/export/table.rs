@@ -121,9 +121,8 @@ impl Builder {
             return Ok(ContactNode { separation, pressure, stiffness });
         }
         // A solver cannot use a pressure that does not fall as the surfaces part.
-        let model = self.contact.model();
         Err(format!(
-            "{model}: at a separation of {separation} asperity_height_std the pressure is {pressure:e} Pa and its stiffness {stiffness:e} Pa/m: both above 0 were required, at every separation of the range"
+            "at a separation of {separation} asperity_height_std the pressure is {pressure:e} Pa and its stiffness {stiffness:e} Pa/m: both above 0 were required, at every separation of the range"
         )
         .into())
     }

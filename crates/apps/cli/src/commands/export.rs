@@ -46,7 +46,7 @@ pub struct ExportCommand {
     /// For abaqus and calculix: add friction with this coefficient and the stiffness in stick
     #[arg(long, value_name = "MU", value_parser = friction)]
     friction: Option<f64>,
-    /// Units of the table: SI, or those of models in mm: mm-N-MPa (or mm-tonne-s, the same; powers
+    /// Units of the table: SI, or for models in mm mm-N-MPa (or mm-tonne-s, the same; powers
     /// in mW)
     #[arg(long, value_name = "SYSTEM", default_value = "SI")]
     units: UnitSystem,

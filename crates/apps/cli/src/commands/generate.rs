@@ -45,7 +45,7 @@ pub struct Generate {
     /// The rms gradient instead
     #[arg(long, value_name = "G", value_parser = positive_number, conflicts_with = "sq")]
     gradient: Option<f64>,
-    /// Skewness of the heights, -5 to 5 [default: that of random phases, near 0]
+    /// Skewness of the heights, -5 to 5 [default: near 0, of random phases]
     #[arg(long, value_name = "SSK", value_parser = number)]
     skewness: Option<f64>,
     /// Rms slope across the lay over that along it

@@ -16,43 +16,29 @@ static DESTINATIONS: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
 /// Options that name files to read.
 const READ: [&str; 2] = ["with", "data"];
 
-/// Ends the program if an output is another output or an input, or if two results go to standard
-/// output.
+/// Ends the program if an output is an input.
 pub fn check(program: &Command, matches: &ArgMatches) {
     let Some((command, matches)) = matches.subcommand() else { return };
     let options = program.find_subcommand(command).into_iter().flat_map(Command::get_opts);
     let options: Vec<&str> = options.map(|option| option.get_id().as_str()).collect();
-    let refuse = |text: String| usage_error(command, ErrorKind::ArgumentConflict, &text);
     let paths = |id| matches.try_get_many::<PathBuf>(id).ok().flatten().into_iter().flatten();
-    let is_data = matches.try_contains_id("output").is_ok();
-    let of_data = is_data && paths("output").all(|to| is_standard(Some(to)));
-    let mut standard = of_data.then_some("the data");
-    let mut named: Vec<(&str, PathBuf)> = vec![];
-    for id in matches.ids().map(|id| id.as_str()) {
-        for file in paths(id) {
-            if !is_standard(Some(file)) {
-                named.push((id, place(file)));
-            } else if let Some(other) = standard.replace(id).filter(|_| id != "output") {
-                refuse(format!(
-                    "--{id} - and {other} both use standard output; name a file for one of them"
-                ));
-            }
-        }
-    }
-    let name = |id: &str| match options.contains(&id) {
-        true => format!("--{}", id.replace('_', "-")),
-        false => format!("<{}>", id.to_uppercase()),
-    };
+    let named = matches.ids().map(|id| id.as_str()).flat_map(|id| {
+        paths(id).filter(|file| !is_standard(Some(file))).map(move |file| (id, place(file)))
+    });
     let is_written = |id: &str| options.contains(&id) && !READ.contains(&id);
-    for (k, (id, file)) in named.iter().enumerate() {
-        for (other, _) in named[..k].iter().filter(|(_, known)| known == file) {
-            if is_written(id) || is_written(other) {
-                let [one, other] = [name(other), name(id)];
-                refuse(format!("{one} and {other} name the same file; choose two names"));
-            }
+    let (written, read): (Vec<_>, Vec<_>) = named.partition(|(id, _)| is_written(id));
+    for (id, file) in &read {
+        if let Some((output, _)) = written.iter().find(|(_, to)| to == file) {
+            let input = match options.contains(id) {
+                true => format!("--{id}"),
+                false => format!("<{}>", id.to_uppercase()),
+            };
+            let output = output.replace('_', "-");
+            let text = format!("{input} and --{output} name the same file; choose two names");
+            usage_error(command, ErrorKind::ArgumentConflict, &text);
         }
     }
-    let written = named.into_iter().filter(|(id, _)| is_written(id)).map(|(_, file)| file);
+    let written = written.into_iter().map(|(_, file)| file);
     DESTINATIONS.lock().unwrap_or_else(PoisonError::into_inner).extend(written);
 }
 

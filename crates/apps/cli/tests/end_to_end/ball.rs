@@ -122,8 +122,4 @@ fn options_press_the_scan_alike_in_every_command() {
         close(elastic, 2.0 * MODULUS * (RADIUS * depth()).sqrt(), 0.01);
         assert!(soft > 1.05 * elastic, "{soft:e} {elastic:e}");
     }
-    for command in ["joint", "curve"] {
-        let refused = bench.run(&format!("{command} ball.toml --model ke --load 1 --elastic"));
-        assert_eq!(refused.code, Some(2), "{}", refused.messages);
-    }
 }

@@ -2,7 +2,7 @@
 
 use asperity::bem::{BemOptions, Continuation, LoadCase};
 
-use crate::bench::{Bench, NO_SHEAR, cells, column};
+use crate::bench::{Bench, cells, column};
 
 /// A scene on `scan.txt`.
 pub const SCAN: &str = "nominal_area = 3e-5
@@ -22,55 +22,6 @@ pub fn bench() -> Bench {
     bench.write("scan.toml", SCAN);
     bench.write("scan.txt", &crate::surface::scan(0.0));
     bench
-}
-
-#[test]
-fn an_odd_grid_is_not_refined() {
-    let bench = Bench::new();
-    bench.write("scan.toml", SCAN);
-    let scan =
-        |rows: usize| (0..rows).map(|y| format!("{} 1 0 2 1 0\n", y % 3)).collect::<String>();
-    bench.write("scan.txt", &scan(7));
-    let lines = ["free", "free --compare", "periodic"];
-    let form = "bem scan.toml --pressure 1e7 --refine --boundary {}";
-    let printed = bench.refusals(form, &lines);
-    insta::assert_snapshot!(printed);
-}
-
-#[test]
-fn a_scan_with_a_few_missing_points_is_solved_if_filled() {
-    let bench = bench();
-    let scan = bench.read("scan.txt");
-    let mut arguments: Vec<&str> = scan.split(' ').collect();
-    arguments[500] = "nan";
-    arguments[7000] = "nan";
-    bench.write("scan.txt", &arguments.join(" "));
-    for command in ["bem", "bem --compare"] {
-        let refused = bench.run(&format!("{command} scan.toml --pressure 1e8"));
-        assert!(
-            refused.code == Some(1) && refused.messages.contains("fill_missing"),
-            "{}",
-            refused.messages
-        );
-    }
-    bench.write("scan.toml", &format!("{SCAN}fill_missing = true\n"));
-    let run = bench.run("bem scan.toml --pressure 1e8 --format csv");
-    assert!(run.messages.contains("[filled]"), "{}", run.messages);
-    bench.write("whole.txt", &scan);
-    bench.write("whole.toml", &SCAN.replace("scan.txt", "whole.txt"));
-    let whole = bench.data("bem whole.toml --pressure 1e8 --format csv");
-    let [filled, whole] = [run.out, whole].map(|data| column(&data, "area_fraction")[0]);
-    assert!((filled / whole - 1.0).abs() < 0.03, "{filled} {whole}");
-    let surface = "surface scan.txt --unit um --pixel-size 0.5 --fill-missing";
-    let arguments = bench.run(surface).messages;
-    assert!(arguments.contains("[filled]"), "{arguments}");
-    fn holed(word: &str) -> &str {
-        if word.starts_with("0.1") { "nan" } else { word }
-    }
-    let row = |line: &str| line.split(' ').map(holed).collect::<Vec<_>>().join(" ");
-    bench.write("scan.txt", &scan.lines().map(row).collect::<Vec<_>>().join("\n"));
-    let many = bench.run(&format!("{surface} --max-missing 0.5"));
-    assert!(many.code == Some(1), "{}", many.messages);
 }
 
 #[test]
@@ -111,16 +62,6 @@ fn rows_are_those_of_the_library() {
     }
     let of = |arguments: &str| bench.data(&format!("bem scan.toml --format csv {arguments}"));
     assert_eq!(of("--load 3e3"), of("--pressure 1e8"));
-}
-
-#[test]
-fn the_tangent_of_a_free_boundary_exceeds_the_unloading_stiffness() {
-    let bench = bench();
-    let asked = "--elastic --pressure 5e9 --boundary free --quantity tangent,unloading-stiffness";
-    let data = bench.data(&format!("bem scan.toml --format csv {asked}"));
-    let [tangent, unloading] =
-        ["tangent_N_per_m", "unloading_stiffness_N_per_m"].map(|name| column(&data, name)[0]);
-    assert!(tangent > 1.05 * unloading, "{tangent} {unloading}");
 }
 
 #[test]
@@ -172,58 +113,6 @@ fn pressures_are_written_and_drawn() {
     {
         assert!(svg.contains(arguments), "{arguments}");
     }
-}
-
-#[test]
-fn impossible_loads_and_scenes_without_a_scan_are_reported() {
-    let bench = bench();
-    let run = bench.run("bem scan.toml --pressure 1e8,6e9 --format csv");
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("[no-value]"));
-    assert_eq!(cells(&run.out, "area_fraction")[1], "");
-    let run = bench.run("bem scan.toml --elastic --pressure 1e8,1e100 --format csv");
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("[no-value]"), "{}", run.messages);
-    let areas = cells(&run.out, "area_fraction");
-    assert!(!areas[0].is_empty() && areas[1].is_empty(), "{}", run.out);
-    bench.write("none.toml", NO_SHEAR);
-    bench.write("flat.toml", &SCAN.replace("0.5\n", "0.5\nlevel = \"none\"\n"));
-    let printed = bench.refusals(
-        "{}",
-        &[
-            "bem scan.toml --pressure 6e9",
-            "bem scan.toml --elastic --pressure 1e100",
-            "bem scan.toml --gap 1",
-            "bem none.toml --pressure 1e6",
-            "curve none.toml --model bem --pressure 1e6",
-            "curve scan.toml --model bem --pressure 1e6 --quantity contacts",
-            "export scan.toml --model bem --as csv --pressure 1e6:1e7:4",
-            "bem nowhere.toml --pressure 1e6",
-        ],
-    );
-    insta::assert_snapshot!(printed);
-    let hole = bench.read("scan.txt").replacen(' ', " nan ", 1).replacen("nan ", "nan", 1);
-    let hole = hole.replacen("nan", "nan ", 1);
-    let first = hole.lines().next().unwrap().split_whitespace().take(96).collect::<Vec<_>>();
-    let rest = hole.split_once('\n').unwrap().1;
-    bench.write("scan.txt", &format!("{}\n{rest}", first.join(" ")));
-    let run = bench.run("bem scan.toml --pressure 1e6");
-    assert_eq!(run.code, Some(1), "{}", run.messages);
-    let printed = bench.refusals(
-        "{}",
-        &[
-            "bem scan.toml",
-            "bem scan.toml --pressure 1 --load 1",
-            "bem scan.toml --pressure -1",
-            "bem scan.toml --pressure 1e6 --boundary open",
-            "bem scan.toml --pressure 1e6,1e7 --picture a.svg",
-            "bem scan.toml --pressure 1e6 --picture a.jpg",
-            "bem scan.toml --pressure 1e6 --map x.txt",
-            "bem scan.toml --pressure 1e6 --picture -",
-            "bem scan.toml --pressure 1e6 --picture q.svg --output ./q.svg",
-        ],
-    );
-    insta::assert_snapshot!(printed);
 }
 
 #[test]

@@ -1,6 +1,5 @@
 //! `bem`: edges of scans that match or do not, and waves in closed form.
 
-use crate::bem::bench;
 use crate::bench::Bench;
 
 /// A scan of 64 x 64 points on a side of 1 m, in a scene of E = 1e9 Pa.
@@ -84,16 +83,4 @@ fn a_wave_is_solved_although_it_has_no_asperities() {
     let made = "surface line.txt --unit m --pixel-size 0.015625 --periodic --scene made.toml";
     assert_eq!(bench.run(made).code, Some(0));
     assert_eq!(bench.run("bem made.toml --pressure 1e5").code, Some(0));
-}
-
-#[test]
-fn the_model_bem_says_which_boundary_it_uses_and_what_the_command_says() {
-    let bench = bench();
-    let command = bench.run("bem scan.toml --pressure 1e7").messages;
-    let model = bench.run("curve scan.toml --model bem --pressure 1e7 --format csv").messages;
-    let codes = ["[periodic-part]", "patches are", "[short-waves]"];
-    for text in codes.into_iter().filter(|text| command.contains(text)) {
-        assert_eq!(model.matches(text).count(), 1, "{text}\n{model}\n{command}");
-    }
-    assert!(command.contains(codes[0]), "{command}");
 }

@@ -110,19 +110,6 @@ impl Bench {
         run.out
     }
 
-    /// How runs without an answer end, for a snapshot: `{}` in the form stands for each line.
-    pub fn refusals(&self, form: &str, lines: &[&str]) -> String {
-        let refusal = |line: &&str| {
-            let line = form.replace("{}", line);
-            let run = self.run(&line);
-            let code = run.code.filter(|code| *code != 0 && run.out.is_empty());
-            let code = code.unwrap_or_else(|| panic!("asperity {line}\n{}", run.out));
-            let (first, _) = run.messages.split_once("\n\n").unwrap_or((&run.messages, ""));
-            format!("$ asperity {line}\n{code}: {}\n", first.trim_end())
-        };
-        lines.iter().map(refusal).collect::<Vec<_>>().join("\n")
-    }
-
     pub fn scene(&self, name: &str) -> SceneFile {
         asperity_scene::load(self.path(name)).unwrap()
     }

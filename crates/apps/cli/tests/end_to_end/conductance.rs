@@ -68,38 +68,6 @@ fn correlations_and_the_gas_stand_beside_the_models() {
     assert!((value(&loose) / value(&fine) - 1.0).abs() <= bound && bound < 1e-3, "{loose}");
 }
 
-#[test]
-fn what_a_conductance_needs_is_named() {
-    let bench = Bench::new();
-    let gas = "curve scene.toml --model ke --load 10 --quantity gap-conductance-per-area";
-    let run = bench.run(gas);
-    assert!(run.code == Some(1) && run.messages.contains("gas_conductivity is missing"));
-    let template = asperity_scene::template().replace("[options]\n", GAS);
-    bench.write("gas.toml", &template);
-    let joint = "curve gas.toml --model ke --load 10 --quantity joint-conductance-per-area";
-    let run = bench.run(joint);
-    assert!(run.code == Some(1) && run.messages.contains("thermal_conductivity"));
-    assert!(!run.messages.contains("not requested"), "{}", run.messages);
-    let corrected = "curve gas.toml --model ke --load 10 --quantity gap-conductance-per-area,area";
-    let run = bench.run(&format!("{corrected} --corrected"));
-    assert!(run.messages.contains("ke-corrected: ") && !run.messages.contains("not requested"));
-    let run =
-        bench.run("curve scene.toml --model cmy --load 10 --quantity thermal-conductance-per-area");
-    assert!(run.code == Some(1) && run.messages.contains("thermal_conductivity is missing"));
-    bench.write("scene.toml", &conducting());
-    let run = bench.run("curve scene.toml --model cmy --load 10 --quantity area");
-    assert!(run.code == Some(1) && run.messages.contains("cmy"), "{}", run.messages);
-    let asked = "curve scene.toml --model cmy --separation 1";
-    let run = bench.run(&format!("{asked} --quantity thermal-conductance-per-area"));
-    assert!(run.code == Some(1) && run.messages.contains("use a load"), "{}", run.messages);
-    bench.write(
-        "scene.toml",
-        &conducting().replace("[options]\n", "[gap]\ngas_parameter = 0\n[options]\n"),
-    );
-    let run = bench.run(gas);
-    assert!(run.messages.contains("gap.gas_conductivity"), "{}", run.messages);
-}
-
 /// The mean gap of a pressed scan counts its contacts, through which no gas conducts.
 #[test]
 fn the_gas_in_a_pressed_scan_conducts_through_its_open_part() {

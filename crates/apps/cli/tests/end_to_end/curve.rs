@@ -80,6 +80,10 @@ fn lists_may_be_repeated_or_joined() {
     );
     assert_eq!(joined, repeated);
     assert_eq!(joined.lines().count(), 5);
+    let asked = "curve scene.toml --model ke --quantity area --load";
+    assert_eq!(bench.data(&format!("{asked} 1,5e2")), bench.data(&format!("{asked} 1,500")));
+    let by_default = bench.data("curve scene.toml --separation 2");
+    assert_eq!(bench.data("curve scene.toml --separation 2 --model all"), by_default);
 }
 
 #[test]
@@ -91,17 +95,6 @@ fn negative_numbers_follow_a_blank_or_an_equals_sign() {
     }
     let data = bench.data("curve --separation -.5,2e-1 --model gw scene.toml");
     assert_eq!(column(&data, "separation_over_sigma"), [-0.5, 0.2]);
-}
-
-#[test]
-fn metres_and_multiples_of_sigma_are_the_same_place() {
-    let bench = Bench::new();
-    let metres = bench.data("curve scene.toml --model ke --separation 2e-6m");
-    let sigmas = bench.data("curve scene.toml --model ke --separation 2");
-    for name in ["separation_over_sigma", "separation_m", "force_N"] {
-        let (a, b) = (column(&metres, name)[0], column(&sigmas, name)[0]);
-        assert!((a / b - 1.0).abs() < 1e-13, "{name}: {a} {b}");
-    }
 }
 
 #[test]
@@ -227,25 +220,17 @@ fn measured_points_stand_over_the_curves_of_their_quantities() {
     assert!(svg.contains(">pressure (Pa)<") && svg.contains(">measured<"), "{svg}");
     // Crosses: two points and the key of the legend, each with its rim.
     assert_eq!(svg.matches("d=\"M-3.6 -3.6L3.6 3.6M-3.6 3.6L3.6 -3.6\"").count(), 2 * 3);
-    let refused = |data: &str, wanted: &str| {
-        bench.write("other.csv", data);
-        let run = bench.run(&format!("{asked} --plot q.svg --data other.csv"));
-        assert!(run.code == Some(1) && run.messages.contains(wanted), "{}", run.messages);
-    };
-    refused("lambda,area_m2\n2,1e-7\n", "separation_m");
-    refused("load_N,force_N\n2,1e-7\n", "area_m2");
-    let written =
-        bench.run(&format!("{asked} --plot points.csv.svg --data points.csv --output points.csv"));
-    assert!(written.messages.contains("--data"), "{}", written.messages);
-    assert_eq!(written.code, Some(2), "{}", written.messages);
 }
 
 #[test]
-fn a_model_has_one_look_in_every_plot() {
+fn a_format_follows_the_ending_and_a_failing_file_leaves_no_plot() {
     let bench = Bench::new();
-    for models in ["ke", "gw,jg,ke", "ke --corrected"] {
-        let asked = "curve scene.toml --quantity area --load 20000 --plot p.svg";
-        bench.data(&format!("{asked} --model {models}"));
-        assert!(bench.read("p.svg").contains("stroke=\"#D55E00\""), "{models}");
-    }
+    let line = "curve scene.toml --model ke --load 5,10";
+    assert_eq!(bench.run(&format!("{line} --output a.json")).code, Some(0));
+    let rows: serde_json::Value = serde_json::from_str(&bench.read("a.json")).unwrap();
+    assert_eq!(rows[1]["load_N"], 10.0);
+    assert_eq!(bench.run(&format!("{line} --format table --output a.csv")).code, Some(0));
+    assert!(bench.read("a.csv").starts_with("model,load_N,"));
+    let failing = bench.run(&format!("{line} --output missing/a.csv --plot a.svg"));
+    assert!(failing.code == Some(1) && !bench.path("a.svg").exists(), "{}", failing.messages);
 }

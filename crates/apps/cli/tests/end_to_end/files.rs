@@ -128,9 +128,6 @@ fn an_output_never_overwrites_its_input() {
     let run = bench.run(&format!("{CURVE} --output scene.toml"));
     assert!(run.code == Some(2) && run.messages.contains("--output"), "{}", run.messages);
     assert_eq!(bench.read("scene.toml"), scene);
-    let printed =
-        bench.refusals(&format!("{CURVE} {{}}"), &["--plot ./q.svg --output q.svg", "--plot -"]);
-    insta::assert_snapshot!(printed);
 }
 
 #[test]

@@ -126,29 +126,6 @@ pub fn write_rows(bench: &Bench, rows: impl IntoIterator<Item = [f64; 2]>) {
 }
 
 #[test]
-fn a_parameter_at_a_limit_is_a_warning_with_the_limit() {
-    let bench = Bench::new();
-    write_rows(&bench, stiffness_rows(&bench));
-    let fit = "fit scene.toml data.csv --format csv --free";
-    let run = bench.run(&format!("{fit} asperity_height_std=2um:9um"));
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("[limits]"), "{}", run.messages);
-    let template = asperity_scene::template();
-    let (before, rest) = template.split_once("asperity_radius = 2e-4").unwrap();
-    let (_, after) = rest.split_once("# 2.").unwrap();
-    let iso = "sq = \"3 um\"\nspd = \"200 1/mm2\"\nspc = \"15 1/mm\"\n# 2.";
-    // Separations, areas and stiffnesses of a surface with other asperities.
-    let arguments = "--pressure 1e5:1e7:6:log --quantity unloading-stiffness,area";
-    let data = bench.data(&format!("curve scene.toml --model ke {arguments}"));
-    bench.write("data.csv", &data);
-    bench.write("scene.toml", &format!("{before}{iso}{after}"));
-    let run = bench.run(&format!("{fit} sq"));
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("[limits]"), "{}", run.messages);
-    assert!(!run.messages.contains("not determined"), "{}", run.messages);
-}
-
-#[test]
 fn a_hardness_starts_from_the_yield_strength() {
     let bench = Bench::new();
     write_rows(&bench, stiffness_rows(&bench));
@@ -186,19 +163,6 @@ fn an_interrupted_fit_keeps_the_models_that_are_done() {
     let run = bench.interrupted(arguments);
     assert_eq!(run.code, Some(130), "{}", run.messages);
     assert!(run.out.is_empty(), "{}", run.out);
-}
-
-#[test]
-fn models_that_do_not_hold_come_last() {
-    let bench = Bench::new();
-    let free = "--free asperity_height_std --model gw,ke,jg --format csv";
-    let data = bench.data("curve scene.toml --model gw --load 10:1000:5:log --quantity area");
-    bench.write("data.csv", &data);
-    let run = bench.run(&format!("fit scene.toml data.csv {free}"));
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    // GW describes its own data best.
-    assert_eq!(cells(&run.out, "model")[2], "gw", "{}", run.out);
-    assert!(run.messages.contains("warning[yields]: gw: "), "{}", run.messages);
 }
 
 /// Elastic data have a flat minimum at large hardnesses, beside one of yielding asperities.

@@ -55,21 +55,3 @@ fn both_files_hold_the_heights_of_the_library() {
         assert!((found / short - 1.0).abs() < 0.01, "{short} {found}");
     }
 }
-
-#[test]
-fn what_cannot_be_made_is_refused() {
-    let bench = Bench::new();
-    let lines = [
-        ["--size 128x96", "--size 128"],
-        ["--size 128x96", "--size 99999x99999"],
-        ["--short 2um", "--short 0.9um"],
-        ["--short 2um", "--short 30um"],
-        ["--sq 0.3um", ""],
-        ["--anisotropy 2", "--anisotropy 0.5"],
-        ["--skewness -0.8", "--skewness -7"],
-        ["s.npy", "s.txt"],
-    ]
-    .map(|[old, new]| format!("{LINE} s.npy").replace(old, new));
-    let printed = bench.refusals("{}", &lines.each_ref().map(String::as_str));
-    insta::assert_snapshot!(printed);
-}

@@ -35,8 +35,6 @@ fn the_map_of_the_flow_shows_contact_and_path() {
     }
     let closed = bench.run("bem scan.toml --elastic --pressure 4e10 --flow-picture flow.svg");
     assert!(closed.code == Some(0) && bench.read("flow.svg").contains("no open path"));
-    let two = bench.run("bem scan.toml --pressure 1e8,1e9 --flow-picture two.svg");
-    assert!(two.code == Some(2) && two.messages.contains("--flow-picture"));
 }
 
 /// The commands beside the picture of the guide make it; single pixels may have other shades
@@ -59,28 +57,4 @@ fn the_picture_of_the_guide_is_drawn_by_its_commands() {
     };
     let [drawn, committed] = [bench.read("leak-map.svg"), read("figures/leak-map.svg")];
     assert_eq!(without_shades(&drawn), without_shades(&committed));
-}
-
-#[test]
-fn models_without_a_gap_map_refuse_with_the_reason() {
-    let bench = bench();
-    let run = bench.run("curve scan.toml --model ke,bem --pressure 1e8 --quantity area,hydraulic-gap-x --format csv");
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.messages.contains("[no-value]"), "{}", run.messages);
-    let gaps = crate::bench::column_of(&run.out, "hydraulic_gap_x_m");
-    assert!(gaps[0].is_none() && gaps[1].is_some_and(|gap| gap > 0.0), "{gaps:?}");
-    let run = bench.run("bem scan.toml --pressure 1e8 --viscosity 46 --pressure-drop 1e5");
-    assert!(run.code == Some(0) && run.messages.contains("[likely-unit]"), "{}", run.messages);
-    let run = bench.run("bem scan.toml --pressure 1e8 --viscosity 0.04 --pressure-drop 20");
-    assert!(run.code == Some(0) && run.messages.contains("[likely-unit]"), "{}", run.messages);
-    let printed = bench.refusals(
-        "bem scan.toml --pressure 1e8 {}",
-        &[
-            "--viscosity 1e-3",
-            "--viscosity 0 --pressure-drop 1e5",
-            "--viscosity 1Pa --pressure-drop 1e5",
-            "--viscosity 1cP --pressure-drop 1N",
-        ],
-    );
-    insta::assert_snapshot!(printed);
 }

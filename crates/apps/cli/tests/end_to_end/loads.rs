@@ -1,47 +1,6 @@
 //! Loads lead back to where they came from, and models beside each other.
 
-use crate::bench::{Bench, NEGATIVE, cells, column, csv};
-
-#[test]
-fn loads_lead_back_to_their_separations() {
-    let bench = Bench::new();
-    let curve = bench.data("curve scene.toml --model gw,jg,gao --separation -3,0,2,20");
-    let (force, separation) = (column(&curve, "force_N"), column(&curve, "separation_over_sigma"));
-    for (k, model) in ["gw", "jg", "gao"].into_iter().enumerate() {
-        let loads: Vec<String> = force[4 * k..4 * k + 4].iter().map(|f| format!("{f:e}")).collect();
-        let arguments = format!("curve scene.toml --model {model} --load {}", loads.join(","));
-        let data = bench.data(&arguments);
-        let (head, _) = csv(&data);
-        assert_eq!(
-            head.join(","),
-            "model,load_N,pressure_Pa,separation_over_sigma,separation_m,area_m2,tangent_N_per_m"
-        );
-        assert_eq!(column(&data, "load_N"), force[4 * k..4 * k + 4]);
-        for (found, wanted) in column(&data, "separation_over_sigma").iter().zip(&separation) {
-            assert!((found - wanted).abs() < 1e-9, "{model}: {found} {wanted}");
-        }
-    }
-}
-
-#[test]
-fn pressures_are_loads_on_the_nominal_area() {
-    let bench = Bench::new();
-    let data = bench.data("curve scene.toml --model ke --pressure 1e6,1e-200 --quantity pressure");
-    assert_eq!(column(&data, "load_N"), [1e6 * 1e-4, 1e-200 * 1e-4]);
-    for (found, wanted) in column(&data, "pressure_Pa").iter().zip([1e6, 1e-200]) {
-        assert!((found / wanted - 1.0).abs() < 1e-9, "{found} {wanted}");
-    }
-}
-
-#[test]
-fn loads_that_no_separation_carries_are_refused_with_the_range() {
-    let bench = Bench::new();
-    let run = bench.run("curve scene.toml --model gw,ke --load 1e30");
-    assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
-    for printed in ["[no-value]", "N, above ", "scene.toml"] {
-        assert!(run.messages.contains(printed), "{}", run.messages);
-    }
-}
+use crate::bench::{Bench, NEGATIVE, cells, column};
 
 #[test]
 fn all_separations_of_a_load_are_rows_on_request() {
@@ -72,18 +31,6 @@ fn all_separations_of_a_load_are_rows_on_request() {
     let additive = "curve scene.toml --model at-additive --load 1e-3 --errors --quantity force";
     let sum = column(&bench.data(additive), "force_error")[0];
     assert!(column(&near, "force_error")[0] > 10.0 * sum, "{near} {sum:e}");
-}
-
-#[test]
-fn models_beside_each_other_deviate_from_the_reference() {
-    let bench = Bench::new();
-    let at_two = bench.data("curve scene.toml --separation 2 --reference jg");
-    let (head, rows) = csv(&at_two);
-    assert_eq!(head[3..5], ["force_N", "force_deviation"]);
-    assert_eq!(rows.len(), 9);
-    let (force, deviation) = (column(&at_two, "force_N"), column(&at_two, "force_deviation"));
-    assert_eq!(cells(&at_two, "force_deviation")[5], "0");
-    assert!((force[0] / force[5] - 1.0 - deviation[0]).abs() < 1e-12);
 }
 
 #[test]

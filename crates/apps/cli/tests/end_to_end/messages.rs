@@ -3,37 +3,6 @@
 use crate::bench::{Bench, NO_SHEAR, cells, column, csv, is_long};
 
 #[test]
-fn a_plan_lists_its_integrals() {
-    let bench = Bench::new();
-    let plan =
-        bench.data("curve --plan scene.toml --model ke,zmc --quantity force,tangent,contacts");
-    assert!(plan.starts_with("ke, gaussian heights, 401"), "{plan}");
-    assert!(plan.contains("the force law") && plan.contains("\nzmc,"));
-}
-
-#[test]
-fn separations_in_metres_have_a_warning_and_skewness_is_reported() {
-    let bench = Bench::new();
-    for arguments in [
-        "curve scene.toml --model ke --separation 1e-6",
-        "check scene.toml --separation 1e-6",
-        "joint scene.toml --model ke --closest 1e-6 --retreat 0",
-        "export scene.toml --model ke --as csv --separation 0:1e-6:2",
-    ] {
-        let printed = bench.run(arguments).messages;
-        assert!(printed.contains("[likely-unit]"), "{arguments}: {printed}");
-        let metres = bench.run(&arguments.replace("1e-6", "1um")).messages;
-        assert!(!metres.contains("likely-unit"), "{arguments}: {metres}");
-    }
-    let far = bench.run("joint scene.toml --load 100 --friction 0.3 --amplitude 20 --points 3");
-    assert!(far.messages.contains("[likely-unit]"), "{}", far.messages);
-    let skewed = asperity_scene::template().replace("\"gaussian\"", "{ skewness = -0.5 }");
-    bench.write("skewed.toml", &skewed);
-    let check = bench.data("check skewed.toml --format csv");
-    assert!(check.contains("asperity_height_skewness,-0.5"), "{check}");
-}
-
-#[test]
 fn an_elastic_scene_needs_no_more_than_greenwood_and_williamson() {
     let bench = Bench::new();
     bench.write("soft.toml", &NO_SHEAR.replace("_std = 1e-6", "_std = 1e-10"));
@@ -214,10 +183,6 @@ fn models_are_listed_by_id_name_authors_or_year() {
     let (program, gw) = entries.split_once("gw, gw-random, gw-pairs\n").unwrap();
     assert!(readme.contains(program.trim_end()), "{program}");
     assert!(gw.starts_with("@article{greenwood1966,\n  author = {Greenwood, J. A. and Williamson"));
-    assert_eq!(bench.run("list materials --format bibtex").code, Some(1));
-    let run = bench.run("list models westergaard");
-    assert_eq!(run.code, Some(1), "{}", run.messages);
-    assert!(run.messages.contains("\"westergaard\""), "{}", run.messages);
 }
 
 #[test]
@@ -234,9 +199,6 @@ fn persson_is_compared_with_asperity_models_at_loads() {
     let small = (4.0 / std::f64::consts::PI / m2).sqrt() * 1e7 / scene.interface.equivalent_modulus;
     let area: f64 = cells(&run.out, "area_fraction")[0].parse().unwrap();
     assert!((area / small - 1.0).abs() < 0.01 && area < small, "{area} {small}");
-    let run = bench.run("curve scene.toml --model persson --separation 1,2");
-    assert_eq!(run.code, Some(1), "{}", run.out);
-    assert!(run.messages.contains("[no-value]"), "{}", run.messages);
     // With it, there are stiffnesses, and separations lead back to loads.
     bench.write("hurst.toml", &format!("{}hurst_exponent = 0.8\n", asperity_scene::template()));
     let loads = "curve hurst.toml --model persson,persson-fudge --pressure 1e6,1e7 --format csv";
@@ -275,27 +237,5 @@ fn models_of_the_whole_surface_have_no_asperity_warnings() {
         let [ke, fudge] = ["ke", "persson-fudge"]
             .map(|model| bench.run(&format!("{check} --model {model}")).messages);
         assert!(ke.contains(printed) && !fudge.contains(printed), "{ke}\n{fudge}");
-    }
-}
-
-#[test]
-fn findings_about_the_scene_hide_none_about_results() {
-    let bench = Bench::new();
-    let dense = asperity_scene::template().replace("_density = 2e8 ", "_density = 2e9 ");
-    bench.write("dense.toml", &dense);
-    let forgotten = dense.replacen("\nhardness = 2e9\n\n# ...", "\n# ...", 1);
-    bench.write("forgotten.toml", &forgotten);
-    let warnings = |arguments: &str| {
-        let run = bench.run(&format!("{arguments} --load 50kN"));
-        assert_eq!(run.code, Some(0), "{arguments}: {}", run.messages);
-        let lines = run.messages.lines().filter(|line| line.starts_with("warning["));
-        lines.map(|line| line.split_once(": ").unwrap().1.to_string()).collect::<Vec<_>>()
-    };
-    for command in ["curve", "joint"] {
-        let of_answer = warnings(&format!("{command} dense.toml --model ke"));
-        assert!(of_answer.len() == 1 && of_answer[0].starts_with("ke: "));
-        let both = warnings(&format!("{command} forgotten.toml --model ke"));
-        assert!(both.len() == 2 && both[0].starts_with("body[2] has neither"), "{both:?}");
-        assert_eq!(both[1], of_answer[0]);
     }
 }

@@ -39,12 +39,3 @@ fn yielding_under_random_asperities_is_reported_and_not_recommended() {
     let checked = bench.data("check random.toml --model ke-random --load 50kN --format csv");
     assert!(checked.contains("yielding_share,0.944"), "{checked}");
 }
-
-#[test]
-fn models_without_random_asperities_are_refused_by_name() {
-    let bench = bench();
-    let run =
-        bench.run("curve random.toml --load 10 --model ke-random --quantity unloading-stiffness");
-    assert!(run.messages.contains("[no-value]"), "{}", run.messages);
-    assert_eq!(bench.run("curve random.toml --model ke-randm").code, Some(2));
-}

@@ -1,10 +1,11 @@
-//! The README and the walk-throughs show what the program prints. After a change that is meant,
-//! `ASPERITY_BLESS=1 cargo test -p asperity-cli readme` writes them anew.
+//! The README, the walk-throughs and the transcripts show what the program prints. After a change
+//! that is meant, `ASPERITY_BLESS=1 cargo test -p asperity-cli readme` writes them anew.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use crate::bench::Bench;
+use crate::adhesion::SOFT;
+use crate::bench::{Bench, NEGATIVE, NO_SHEAR, Run};
 use crate::help::sh;
 
 /// The examples, below the root of the repository.
@@ -13,10 +14,7 @@ const EXAMPLES: &str = "crates/answer/scene/examples";
 #[test]
 fn the_walk_throughs_show_the_real_output() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut files: Vec<PathBuf> = fs::read_dir(folder.join("tests/walkthrough"))
-        .unwrap()
-        .map(|file| file.unwrap().path())
-        .collect();
+    let mut files = files("tests/walkthrough");
     files.push(folder.join("README.md"));
     let mut all = String::new();
     for file in &files {
@@ -27,18 +25,10 @@ fn the_walk_throughs_show_the_real_output() {
                 fs::copy(&path, bench.folder().join(path.file_name().unwrap())).unwrap();
             }
         }
-        let shown = fs::read_to_string(file).unwrap();
-        let real = replayed(&bench, &shown);
-        if env::var_os("ASPERITY_BLESS").is_some() {
-            fs::write(file, &real).unwrap();
-            continue;
-        }
-        let (shown_lines, real_lines) = (shown.lines(), real.lines());
-        for (shown, real) in shown_lines.clone().zip(real_lines.clone()) {
-            assert!(agree(shown, real), "{}\nshown: {shown}\nreal:  {real}", file.display());
-        }
-        assert_eq!(shown_lines.count(), real_lines.count(), "{}", file.display());
-        all += &shown;
+        all += &checked(file, &bench, |line, run| {
+            assert_eq!(run.code, Some(0), "{line}\n{}", run.messages);
+            run.messages + &run.out
+        });
     }
     let readme = fs::read_to_string(folder.join("README.md")).unwrap();
     assert!(readme.contains(&format!("cd {EXAMPLES}")));
@@ -47,25 +37,69 @@ fn the_walk_throughs_show_the_real_output() {
         let name = file.file_name().unwrap().to_str().unwrap();
         assert!(readme.contains(&format!("(tests/walkthrough/{name})")), "{name}");
     }
-    if env::var_os("ASPERITY_BLESS").is_none() {
-        for scene in ["wheel-rail", "bolted-joint", "elastomer-on-glass"] {
-            assert!(all.contains(&format!(" {scene}.toml")), "{scene}");
-        }
+    for scene in ["wheel-rail", "bolted-joint", "elastomer-on-glass"] {
+        assert!(all.contains(&format!(" {scene}.toml")), "{scene}");
     }
 }
 
-/// The README with every command run again, and its output in the place of the one shown.
-fn replayed(bench: &Bench, readme: &str) -> String {
+/// What users are told, a file a command, to be read as prose when it changes: refusals end with
+/// 2 where the command line is wrong, with 1 where a file is, and print no data.
+#[test]
+fn transcripts_are_those_that_were_read() {
+    std::thread::scope(|scope| {
+        for file in files("tests/transcripts") {
+            scope.spawn(move || {
+                let bench = crate::bem::bench();
+                bench.write("soft.toml", SOFT);
+                bench.write("negative.toml", NEGATIVE);
+                bench.write("plain.toml", NO_SHEAR);
+                checked(&file, &bench, |line, run| match run.code {
+                    Some(0) => run.messages + &run.out,
+                    Some(code @ (1 | 2)) => {
+                        assert!(run.out.is_empty(), "{line}\n{}", run.out);
+                        // Usage follows after a blank line.
+                        let said = run.messages.split("\n\n").next().unwrap().trim_end();
+                        format!("{said}\nexit code {code}\n")
+                    }
+                    code => panic!("{line} ended with {code:?}"),
+                });
+            });
+        }
+    });
+}
+
+/// The files of a folder of the crate.
+fn files(folder: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    fs::read_dir(folder).unwrap().map(|file| file.unwrap().path()).collect()
+}
+
+/// The text of a file, whose commands print what it shows.
+fn checked(file: &Path, bench: &Bench, show: impl Fn(&str, Run) -> String) -> String {
+    let shown = fs::read_to_string(file).unwrap();
+    let real = replayed(bench, &shown, show);
+    if env::var_os("ASPERITY_BLESS").is_some() {
+        fs::write(file, &real).unwrap();
+        return real;
+    }
+    let (shown_lines, real_lines) = (shown.lines(), real.lines());
+    for (shown, real) in shown_lines.clone().zip(real_lines.clone()) {
+        assert!(agree(shown, real), "{}\nshown: {shown}\nreal:  {real}", file.display());
+    }
+    assert_eq!(shown_lines.count(), real_lines.count(), "{}", file.display());
+    shown
+}
+
+/// The text with every command run again, and its output in the place of the one shown.
+fn replayed(bench: &Bench, text: &str, show: impl Fn(&str, Run) -> String) -> String {
     let mut real = String::new();
-    let mut rest = readme;
+    let mut rest = text;
     while let Some((before, after)) = rest.split_once("```console\n") {
         let (block, after) = after.split_once("```").expect("its end");
         real.push_str(before);
         real.push_str("```console\n");
         for line in block.lines().filter_map(|line| line.strip_prefix("$ ")) {
-            let run = sh(bench, line);
-            assert_eq!(run.code, Some(0), "{line}\n{}", run.messages);
-            real.push_str(&format!("$ {line}\n{}{}", run.messages, run.out));
+            real.push_str(&format!("$ {line}\n{}", show(line, sh(bench, line))));
         }
         real.push_str("```");
         rest = after;
@@ -81,7 +115,7 @@ fn agree(shown: &str, real: &str) -> bool {
     let (shown, real) = (arguments(shown), arguments(real));
     shown.len() == real.len()
         && shown.iter().zip(&real).all(|(a, b)| match (a.parse::<f64>(), b.parse::<f64>()) {
-            (Ok(a), Ok(b)) => (a - b).abs() <= 2e-5 * a.abs(),
+            (Ok(x), Ok(y)) => a == b || (x - y).abs() <= 2e-5 * x.abs(),
             _ => a == b,
         })
 }

@@ -189,38 +189,6 @@ fn a_measured_density_takes_the_place_of_the_gaussian() {
 }
 
 #[test]
-fn missing_and_invalid_input_is_refused() {
-    let bench = Bench::new();
-    bench.write("scan.txt", &scan(0.0));
-    let holes: Vec<String> = scan(0.0).lines().map(|row| format!("nan {}", &row[8..])).collect();
-    bench.write("holes.txt", &holes.join("\n"));
-    bench.write("empty.txt", "");
-    bench.write("arguments.txt", "these are no heights\n");
-    let printed = bench.refusals(
-        "surface {}",
-        &[
-            "scan.txt",
-            "scan.txt --unit um",
-            "empty.txt --unit um --pixel-size 1",
-            "arguments.txt --unit um --pixel-size 1",
-            "nowhere.txt --unit um --pixel-size 1",
-            "scan.txt --unit furlong --pixel-size 1",
-            "scan.txt --unit um --pixel-size 0",
-            "scan.txt --unit um --pixel-size 1x2x3",
-            "scan.txt --unit um --pixel-size 1,5",
-            "scan.txt --unit um --pixel-size 1 --max-missing 2",
-            "scan.txt scan.txt scan.txt --unit um",
-            "scan.txt scan.txt --unit um --pixel-size 0.5 --estimator summits",
-            "",
-        ],
-    );
-    insta::assert_snapshot!(printed);
-    let refused = bench.run("surface holes.txt --unit um --pixel-size 0.5 --max-missing 0.001");
-    assert_eq!(refused.code, Some(1));
-    assert_eq!(refused.messages.matches("--max-missing").count(), 1, "{}", refused.messages);
-}
-
-#[test]
 fn a_scene_names_its_heights_from_its_own_folder_and_keeps_their_spread() {
     let bench = Bench::new();
     bench.write("scan.txt", &scan(0.0));
@@ -234,18 +202,4 @@ fn a_scene_names_its_heights_from_its_own_folder_and_keeps_their_spread() {
     assert_eq!(run.code, Some(0), "{}", run.messages);
     // No warning about the width of the density.
     assert_eq!(run.messages, "");
-}
-
-#[test]
-fn filters_that_leave_nothing_are_refused_by_name() {
-    let bench = Bench::new();
-    bench.write("scan.txt", &scan(0.0));
-    let of = |arguments: &str| {
-        bench.run(&format!("surface scan.txt --unit um --pixel-size 0.5 {arguments}"))
-    };
-    let crossed = of("--filter 2e-6 --smooth 4e-6");
-    assert_eq!(crossed.code, Some(2), "{}", crossed.messages);
-    assert!(crossed.messages.contains("--smooth"), "{}", crossed.messages);
-    let short = of("--smooth 1e-9");
-    assert_eq!(short.code, Some(1), "{}", short.messages);
 }

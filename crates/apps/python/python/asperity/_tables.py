@@ -6,23 +6,10 @@ from dataclasses import dataclass, field
 from os import PathLike
 from pathlib import Path
 
-import numpy as np
-import numpy.typing as npt
-
 from asperity import _asperity
-from asperity._arguments import (
-    LOADS,
-    Floats,
-    Rows,
-    SceneLike,
-    one_number,
-    one_scene,
-    place,
-    two_numbers,
-)
+from asperity._arguments import LOADS, Floats, one_scene, place, two_numbers
 from asperity._asperity import Scene
 from asperity._model import Model, as_model
-from asperity._warn import warn
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ fn number(row: &Row<'_>, key: &str) -> f64 {
 }
 
 /// The area of a row, with a hardness at least that which carries its load: other programs correct
-/// the edges of yielded contacts as those of elastic ones.
+/// the edges of yielded contacts as of elastic ones.
 fn area(row: &Row<'_>) -> f64 {
     let yields = !row["hardness"].is_empty();
     let least = if yields { number(row, "pressure") / number(row, "hardness") } else { 0.0 };

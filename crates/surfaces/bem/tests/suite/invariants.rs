@@ -62,7 +62,7 @@ fn the_digits_do_not_depend_on_the_number_of_threads() {
     }
 }
 
-/// A solution's counts and mean gap must not change, its maps must be those of `back`.
+/// A solution's counts and mean gap must not change, its maps must equal `back`.
 fn same(
     found: &Solution,
     required: &Solution,

@@ -293,7 +293,7 @@ fn retreats_follow_the_path_of_unloading() {
 }
 
 /// Hertz: a sphere pressed in by d parts after the retreat d, with F (1 - r/d)^1.5 and 2 E a at r.
-/// Retreats are those of distant points, not of the mean gap.
+/// Retreats of distant points, not of the mean gap.
 #[test]
 fn a_sphere_opens_as_it_was_pressed() {
     let (radius, load) = (1e-3, 2.0);

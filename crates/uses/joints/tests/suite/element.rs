@@ -13,7 +13,7 @@ fn table() -> JointTable {
 }
 
 /// The negative slope by a difference that is exact for polynomials up to the eighth degree, as
-/// those of the table.
+/// the slopes of the table.
 fn slope(force: impl Fn(f64) -> f64, step: f64) -> f64 {
     const WEIGHTS: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
     let pair = |(weight, k): (f64, i32)| {

@@ -100,8 +100,8 @@ fn a_force_within_the_tolerance_of_friction_slides_at_every_preload() {
                 assert!(refused.contains("joint slides"), "{refused}");
             }
         }
-        // An amplitude that is given is good to the tolerance: that of a force 1e-15 away is as
-        // near.
+        // An amplitude that is given is good to the tolerance: the amplitude of a force 1e-15 away
+        // is as near.
         let slip = sheared(&scene, At::Load(100.0));
         for share in [0.5, 0.99, 1.0 - 1e-4] {
             let near = |force: f64| slip.amplitude_at(share * 20.0 * force).unwrap();

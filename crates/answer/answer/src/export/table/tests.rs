@@ -97,7 +97,7 @@ fn what_a_solver_cannot_use_is_refused() {
         table(&model, scene, Tolerance::default(), range, Interpolation::Hermite)
     };
     let message = table(&odd, "at", (0.0, 4.0, 9)).unwrap_err().to_string();
-    assert!(message.starts_with("at: at a separation of") && message.contains("required"));
+    assert!(message.starts_with("at a separation of") && message.contains("required"));
     let message = table(&scene(), "ke", (0.0, 6.0, 2)).unwrap_err().to_string();
     assert!(message.starts_with("2 nodes"), "{message}");
     assert!(table(&scene(), "ke", (1.0, 1.0, 5)).is_err());
