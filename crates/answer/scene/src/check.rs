@@ -156,7 +156,7 @@ impl SceneFile {
     /// # Errors
     /// Those of [`Check::at`].
     pub fn check(&self, place: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
-        if !self.spreads().is_empty() {
+        if !self.unknowns().is_empty() {
             return self.check_ranges(place);
         }
         let mut check = match place {

@@ -2,7 +2,10 @@
 
 use std::sync::LazyLock;
 
+use asperity::{ContactError, short};
 use serde::Deserialize;
+
+use crate::ranges::Unknown;
 
 /// A range of a number of surfaces of one finish, or of one ratio of cut-offs.
 #[derive(Debug, Clone, Deserialize)]
@@ -43,18 +46,46 @@ impl Range {
         ranges(what).find(|range| range.of == finish)
     }
 
-    /// The range of this number for the ratio of cut-offs of the table that is nearest, at most a
-    /// factor of 2 away.
-    pub(crate) fn at_ratio(what: &str, ratio: f64) -> Option<&'static Self> {
-        let off = |range: &Self| (range.number() / ratio).ln().abs();
+    /// The range of this number for the ratio of the cut-offs λ_s and λ_c of the table that is
+    /// nearest.
+    ///
+    /// # Errors
+    /// [`ContactError::Missing`] asks for `key` instead more than a factor of 2 away.
+    pub(crate) fn at_ratio(
+        what: &str,
+        key: &'static str,
+        [short_cut, cut]: [f64; 2],
+    ) -> Result<&'static Self, ContactError> {
+        let off = |range: &Self| (range.number() * short_cut / cut).ln().abs();
         let nearest = ranges(what).min_by(|a, b| off(a).total_cmp(&off(b)));
-        nearest.filter(|range| off(range) <= std::f64::consts::LN_2)
+        nearest.filter(|range| off(range) <= std::f64::consts::LN_2).ok_or_else(|| {
+            let reason = format!(
+                "lambda_c/lambda_s is {}, and scans give a range from 10 to 320 only",
+                short(cut / short_cut)
+            );
+            ContactError::Missing { field: key, reason }
+        })
     }
 
     /// The usual cut-offs \[m\] of profiles with this Ra \[m\]: λ_s and λ_c.
-    pub(crate) fn wavelengths(ra: f64) -> Option<[f64; 2]> {
+    pub(crate) fn cut_offs(ra: f64) -> Option<[f64; 2]> {
         let range = ranges("wavelengths").find(|range| ra <= range.number())?;
         Some([range.lower, range.upper])
+    }
+
+    /// The range of a number that follows from this one, which is described by `text`.
+    pub(crate) fn unknown(
+        &'static self,
+        name: &str,
+        of: impl Fn(f64) -> f64,
+        text: &str,
+        narrowed: &'static str,
+    ) -> Unknown {
+        let Self { lower, upper, status, source, .. } = self;
+        let [one, other] = [of(*lower), of(*upper)];
+        let (ends, source) =
+            ([one.min(other), one.max(other)], format!("{text} {lower} to {upper}: {source}"));
+        Unknown { name: name.into(), ends, status, source, narrowed }
     }
 
     fn number(&self) -> f64 {
@@ -83,8 +114,8 @@ mod tests {
             assert!(finishes().all(|finish| Range::of_finish(what, finish).is_some()), "{what}");
         }
         // An Ra beyond the last row has a cut-off, too.
-        assert_eq!(Range::wavelengths(1e-3), Some([2.5e-5, 8e-3]));
-        assert!(Range::at_ratio("bandwidth", 1000.0).is_none());
+        assert_eq!(Range::cut_offs(1e-3), Some([2.5e-5, 8e-3]));
+        assert!(Range::at_ratio("bandwidth", "bandwidth", [1.0, 1000.0]).is_err());
     }
 
     #[test]
@@ -100,7 +131,7 @@ mod tests {
         let mut compared = 0;
         for (surface, finish, numbers) in &rows {
             let [cut, short, rq, slope, bandwidth] = numbers[..] else { panic!("{surface}") };
-            let range = Range::at_ratio("bandwidth", cut / short).unwrap();
+            let range = Range::at_ratio("bandwidth", "bandwidth", [short, cut]).unwrap();
             assert!(range.contains(bandwidth), "{surface} {cut} {short}: bandwidth {bandwidth}");
             // Slopes at the longest cut-off of each surface, without its waviness, and short waves.
             let of_surface = rows.iter().filter(|row| row.0 == *surface);

@@ -143,7 +143,7 @@ impl SceneFile {
                 continue;
             }
             let model = self.model(other.id()).unwrap_or(other);
-            let refuses = self.no_asperities().is_some() || !self.spreads().is_empty();
+            let refuses = self.no_asperities().is_some() || !self.unknowns().is_empty();
             let refused = self.refusal(&model).filter(|_| refuses);
             match refused.or_else(|| model.compile(&self.scene, &request).err()) {
                 None => models.push(model),

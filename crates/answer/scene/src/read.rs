@@ -14,12 +14,14 @@ use crate::heights::{HeightsKey, compare_std};
 use crate::interface::bodies;
 use crate::keys::{COUNTERFACE, joined};
 use crate::options::ModelOptions;
+use crate::ranges::Unknown;
 use crate::resolve::resolve;
 use crate::scans::{Asked, Scans, density};
 use crate::scene_file::SceneFile;
 use crate::spec::{HeightsSpec, SceneSpec};
 use crate::surface::{Surfaces, notes, refused, surfaces};
 use crate::text_file::read_text;
+use crate::vary::SceneInput;
 
 /// Reads a scene file and the files that it names.
 ///
@@ -169,11 +171,33 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     let scans = spec.surfaces().filter_map(|(_, one)| one.scan()?.source.as_ref());
     let files = scans.map(|(path, _)| path).chain(&spec.heights.file);
     origin.files = files.cloned().collect();
-    let file = SceneFile { spec, scene, measured, warnings, origin: Some(Arc::new(origin)) };
+    let mut file = SceneFile { spec, scene, measured, warnings, origin: Some(Arc::new(origin)) };
+    file.spec.ranges = ranges(document, &file)?;
     match file.no_mean_plane() {
         Some(needed) => {
             Err(document.conflict("surface.separation_from", "surface.heights", needed))
         }
         None => Ok(file),
     }
+}
+
+/// The numbers that were written as ranges; each end is that of a scene.
+fn ranges(
+    document: &Document<'_>,
+    file: &SceneFile,
+) -> Result<Vec<(SceneInput, Unknown)>, SceneError> {
+    let inputs = if document.ranges.is_empty() { vec![] } else { file.all_inputs() };
+    let range = |(path, ends): &(String, [f64; 2])| {
+        let place = |input: &SceneInput| input.place(&file.spec.bodies);
+        let is_here = |input: &SceneInput| joined(&place(input).0, place(input).1) == *path;
+        let Some(input) = inputs.iter().map(|(_, input)| *input).find(is_here) else {
+            return Err(document.wrong(path, "a single number"));
+        };
+        for end in ends {
+            let made = file.with_inputs([(input, *end)]);
+            made.map_err(document.refused(&place(&input).0))?;
+        }
+        Ok((input, Unknown::written(input.name(), *ends)))
+    };
+    document.ranges.iter().map(range).collect()
 }

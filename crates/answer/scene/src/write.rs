@@ -12,6 +12,7 @@ use crate::heights::write_heights;
 use crate::keys::{BODY, Key, joined, keys_of};
 use crate::materials::Material;
 use crate::measured::Scan;
+use crate::ranges::Unknown;
 use crate::read::scene_file;
 use crate::roughness::{Roughness, Way};
 use crate::scans::Asked;
@@ -120,6 +121,11 @@ impl SceneFile {
             top.insert("gap".into(), Table::try_from(gas).unwrap_or_default().into());
         }
         top.insert("options".into(), spec.options.changed().into());
+        for (input, Unknown { ends, .. }) in &spec.ranges {
+            let (section, key) = input.place(&spec.bodies);
+            let ends = Value::from(ends.to_vec());
+            section_mut(&mut top, &section).map(|table| table.insert(key.into(), ends));
+        }
         let mut sections = String::new();
         for name in ["body", "interface", "surface", "gap", "options"] {
             let header = if name == "body" { "[[body]]" } else { &format!("[{name}]") };
@@ -227,20 +233,27 @@ impl SurfaceSpec {
         let number = |(key, value): (&str, f64)| (key.to_string(), Value::from(value));
         let mut keys: Table = match &self.by {
             Description::Numbers(roughness) => roughness.by_key().map(number).collect(),
-            Description::Drawing(drawing) => match (drawing.at, drawing.moments()) {
-                (Some(_), Ok(moments)) => {
-                    Roughness::of_moments(moments).by_key().map(number).collect()
-                }
-                _ => {
-                    let finish = drawing.finish().map(|word| ("finish".into(), word.into()));
-                    drawing.by_key().map(number).chain(finish).collect()
-                }
-            },
+            Description::Drawing(drawing) => {
+                let finish = drawing.finish().map(|word| ("finish".into(), word.into()));
+                drawing.by_key().map(number).chain(finish).collect()
+            }
             Description::Scan(scan) => keys_of_scan(scan),
         };
         keys.extend(self.peklenik_number.map(|lay| ("peklenik_number".into(), lay.into())));
         keys
     }
+}
+
+/// The table of a section, such as `body[1]`.
+fn section_mut<'t>(top: &'t mut Table, section: &str) -> Option<&'t mut Table> {
+    section.split('.').filter(|name| !name.is_empty()).try_fold(top, |table, name| {
+        let (name, k) = name.trim_end_matches(']').split_once('[').unwrap_or((name, ""));
+        match table.get_mut(name)? {
+            Value::Array(all) => all.get_mut(k.parse::<usize>().ok()?.checked_sub(1)?)?,
+            one => one,
+        }
+        .as_table_mut()
+    })
 }
 
 /// The path of a scan, and the keys by which it was read.

@@ -5,7 +5,7 @@ use asperity::{
     usual_reference,
 };
 use asperity_answer::{Cell, Recommend, Sheet, unranked};
-use asperity_scene::SceneFile;
+use asperity_scene::{SceneFile, Unknown};
 use serde_json::{Value, json};
 
 use crate::answer::{Column, Known, Row, Source, quantities};
@@ -58,14 +58,24 @@ impl Best {
         let values = (0..columns.len()).map(|column| row.value(column).copied()).collect();
         let (model, basis) = (row.model.clone(), String::new());
         let mut best = Self { values, source: Source::Model, model, basis };
-        let spreads = file.spreads();
+        let unknowns = file.unknowns();
         match corrected {
-            _ if !spreads.is_empty() => {
-                let spread = |(name, ratio)| format!("{} within {ratio:.1}", term(name));
-                let spreads = spreads.into_iter().map(spread).collect::<Vec<_>>().join(", ");
+            _ if !unknowns.is_empty() => {
+                let known = |one: &Unknown| {
+                    format!(
+                        "{} within a factor of {:.1}",
+                        term(&one.name),
+                        one.ends[1] / one.ends[0]
+                    )
+                };
+                let known = unknowns.iter().map(known).collect::<Vec<_>>().join(", ");
+                let mut narrowed: Vec<&str> = unknowns.iter().map(|one| one.narrowed).collect();
+                narrowed.sort_unstable();
+                narrowed.dedup();
                 best.basis = symbols(&format!(
-                    "Ranges by {}, of a surface with {spreads}; Rdq, or Rz with RSm, or a scan narrows them.",
-                    best.model
+                    "Ranges by {}, of {known}; narrowed by {}.",
+                    best.model,
+                    narrowed.join("; ")
                 ));
             }
             Ok(row) => best.take_evidence(file, &row),
@@ -373,7 +383,7 @@ mod tests {
         let shown = call(&mut desk, json!({ "call": "show", "text": GROUND }));
         assert_eq!((&shown["way"], &shown["error"]), (&json!("finish"), &Value::Null));
         let slope = &shown["numbers"][1];
-        assert_eq!(slope["name"], "surface mean slope");
+        assert_eq!(slope["name"], "mean slope");
         assert!(slope["shown"].as_str().unwrap().contains(" to "), "{slope}");
         let models = ["gw", "ke", "persson"];
         let load = json!({ "position": 0.6, "unit": "Pa" });

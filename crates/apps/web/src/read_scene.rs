@@ -26,7 +26,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
     found["views"] = json!(columns);
     let derived = |of: &DerivedNumber| {
         let shown = ranged(of.value, of.ends, of.unit);
-        number(&term(of.name), shown, of.value, &symbols(&of.meaning))
+        number(&term(&of.name), shown, of.value, &symbols(&of.meaning))
     };
     match read {
         Ok(file) => {
@@ -40,7 +40,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
             found["models"] = models(&file);
             // Of a csv of model, load, pressure and cells.
             found["head"] = answer::head(&file, &columns).into();
-            found["ends"] = (!file.spreads().is_empty()).into();
+            found["ends"] = (!file.unknowns().is_empty()).into();
             // The model that tables begin with.
             found["usual"] = asperity::usual_reference(&file.scene).into();
             found["scan"] = press::scan(&file).into();

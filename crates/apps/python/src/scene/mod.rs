@@ -18,6 +18,9 @@ use crate::reading::found;
 use crate::records::{self, instance};
 use arguments::{KeyValue, heights_key, inputs, inputs_in_si, keys_of};
 
+/// For each number with a range whether each combination of ends has its upper end.
+type Uppers = BTreeMap<String, Vec<bool>>;
+
 /// Two bodies, their equivalent rough surface, and the nominal area of contact.
 ///
 /// Numbers are in SI units, or texts with their unit, as "100 mm2".
@@ -308,16 +311,16 @@ impl SceneFile {
         Ok(arguments)
     }
 
-    /// The scene in the middle of the ranges of its surface, those at their ends, and the names of
-    /// the numbers that have a range; both lists are empty for a surface without ranges.
-    fn _corners(&self) -> PyResult<(Self, Vec<Self>, Vec<&'static str>)> {
-        let names: Vec<_> = self.0.spreads().into_iter().map(|(name, _)| name).collect();
+    /// The scene in the middle of its ranges, those at points of them, and for each number with a
+    /// range whether the points at the ends, which are the first, are at its upper end.
+    fn _points(&self) -> PyResult<(Vec<Self>, Uppers)> {
+        let points = self.0.points().map_err(refused)?;
+        let corners: Vec<Vec<bool>> = points.corners().collect();
+        let names = points.unknowns.into_iter().enumerate();
+        let names = names.map(|(k, one)| (one.name, corners.iter().map(|all| all[k]).collect()));
         let made = |file| Self(Arc::new(file));
-        if names.is_empty() {
-            return Ok((Self(self.0.clone()), vec![], names));
-        }
-        let (middle, corners) = self.0.corners().map_err(refused)?;
-        Ok((made(middle), corners.into_iter().map(made).collect(), names))
+        let scenes = [points.middle].into_iter().chain(points.all);
+        Ok((scenes.map(made).collect(), names.collect()))
     }
 
     /// The values of inputs by name, with numbers in SI units in the place of texts with a unit.
