@@ -2,7 +2,7 @@
 //! end.
 
 use asperity::{Code, Quantity, map_runs, short};
-use asperity_scene::{AT_AN_END, Points, SceneFile, Unknown, worst_at_ends};
+use asperity_scene::{AT_AN_END, Description, Points, SceneFile, Unknown, worst_at_ends};
 
 use crate::inquiry::{ENDS, column_of_end};
 use crate::{AnswerError, Cell, Sheet};
@@ -186,7 +186,10 @@ impl Ends<'_> {
         sheet.result(format!(
             "upper over lower end, at most, and the shares of the unknowns in this: {shares}"
         ));
-        if widths.iter().any(|(quantity, _)| STIFFNESSES.contains(quantity)) {
+        let spec = &self.file.spec;
+        let mut surfaces = [Some(&spec.surface), spec.counterface.as_ref()].into_iter().flatten();
+        let is_drawn = surfaces.any(|one| matches!(one.by, Description::Drawing(_)));
+        if is_drawn && widths.iter().any(|(quantity, _)| STIFFNESSES.contains(quantity)) {
             let text = "waviness longer than lambda_c is not in the roughness and can only make the joint softer than these stiffnesses";
             sheet.note(Code::Waviness, text);
         }

@@ -33,7 +33,6 @@ impl SceneFile {
     /// # Errors
     /// Those of [`model`](Self::model).
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
-        self.need_known()?;
         match id.trim().to_lowercase().as_str() {
             Bem::ID => Ok(Model::new(self.pressed(options.bem())?)),
             _ => {
@@ -81,8 +80,7 @@ impl SceneFile {
     /// Why the scene does not allow a model, if it does not: a missing input, for example.
     #[must_use]
     pub fn refusal(&self, model: &Model) -> Option<ContactError> {
-        let no_asperities = self.no_asperities_for(model);
-        if let Some(reason) = self.open_reason().or(no_asperities) {
+        if let Some(reason) = self.no_asperities_for(model) {
             return Some(ContactError::Refused { model: model.id().into(), reason });
         }
         model.compile(&self.scene, &Request::new([Quantity::Force])).err()
@@ -143,7 +141,7 @@ impl SceneFile {
                 continue;
             }
             let model = self.model(other.id()).unwrap_or(other);
-            let refuses = self.no_asperities().is_some() || !self.unknowns().is_empty();
+            let refuses = self.no_asperities().is_some();
             let refused = self.refusal(&model).filter(|_| refuses);
             match refused.or_else(|| model.compile(&self.scene, &request).err()) {
                 None => models.push(model),

@@ -1,14 +1,18 @@
 //! Numbers that are known within a range, and the scene at points of the ranges.
 
-use asperity::{At, Check, Code, ContactError, ContactModel, DerivedNumber, Finding, Severity};
+use asperity::{
+    At, Body, Check, Code, ContactError, ContactModel, DerivedNumber, Finding, Interface, Severity,
+    short,
+};
 
 use crate::error::{Place, SceneError};
 use crate::finish::Drawing;
 use crate::keys::{SECOND, key_of_input};
+use crate::materials::HARDNESS_OVER_YIELD;
 use crate::quantity::unit_of;
 use crate::roughness::Roughness;
 use crate::scene_file::SceneFile;
-use crate::spec::{Description, SceneSpec, SurfaceSpec};
+use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
 
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
@@ -23,7 +27,7 @@ const LEAP: usize = 409;
 pub const AT_AN_END: &str = "at an end of the ranges";
 
 /// A number of a scene that is known within a range: written as two values, or supplied by a
-/// finish.
+/// finish or by a yield strength without a hardness.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Unknown {
@@ -160,11 +164,58 @@ pub fn worst_at_ends<'f>(
     new.into_iter().map(|found| found.clone().from_origin(AT_AN_END)).collect()
 }
 
+impl Bodies {
+    /// The bodies with each hardness that follows from a yield strength alone taken where `take`
+    /// says, in the place of that strength unless hardening is described by a tangent modulus; of a
+    /// body that is harder than the other in any case in the middle.
+    pub(crate) fn settled(&self, take: &mut dyn FnMut(Unknown) -> f64) -> Self {
+        let [from, to] = HARDNESS_OVER_YIELD;
+        let mut hardness = |name: &str, hardness: Option<f64>, strength: Option<f64>, most: f64| {
+            let strength = strength.filter(|of| hardness.is_none() && *of > 0.0)?;
+            let source = format!(
+                "{from} to {to} times the yield strength: nine of ten materials of the list"
+            );
+            let (ends, status) = ([from * strength, to * strength], "assumed");
+            let (name, narrowed) = (name.into(), "a hardness, such as \"150 HV\"");
+            let one = Unknown { name, ends, status, source, narrowed };
+            Some(if ends[0] > most { one.middle() } else { take(one) })
+        };
+        let mut settled = self.clone();
+        match &mut settled {
+            Self::Interface(of) => {
+                if let Some(found) =
+                    hardness("hardness", of.hardness, of.yield_strength, f64::INFINITY)
+                {
+                    of.hardness = Some(found);
+                    of.yield_strength = of.yield_strength.filter(|_| of.tangent_modulus.is_some());
+                }
+            }
+            Self::Each { bodies, .. } => {
+                let most = |of: &Body| of.hardness.or(of.yield_strength.map(|of| to * of));
+                let most = bodies.iter().filter_map(most).fold(f64::INFINITY, f64::min);
+                for (of, name) in bodies.iter_mut().zip(["body1_hardness", "body2_hardness"]) {
+                    if let Some(found) = hardness(name, of.hardness, of.yield_strength, most) {
+                        of.hardness = Some(found);
+                        of.yield_strength =
+                            of.yield_strength.filter(|_| of.tangent_modulus.is_some());
+                    }
+                }
+            }
+        }
+        settled
+    }
+
+    /// The properties of both together, with each hardness in the middle of its range.
+    pub(crate) fn middle(&self) -> Result<Interface, ContactError> {
+        self.settled(&mut |one| one.middle()).interface()
+    }
+}
+
 impl SceneSpec {
     /// What was written, with the numbers that follow within ranges from others taken where `take`
     /// says.
     fn settled(&self, take: &mut dyn FnMut(Unknown) -> f64) -> Result<Self, ContactError> {
-        let mut settled = self.clone();
+        let mut settled = Self { bodies: self.bodies.settled(take), ..self.clone() };
         for second in [false, true] {
             let drawing = self.one(second).and_then(SurfaceSpec::drawing);
             let Some(drawing) = drawing.filter(|drawing| drawing.is_open()) else { continue };
@@ -188,7 +239,7 @@ impl SceneSpec {
 
 impl SceneFile {
     /// The numbers that are known within a range, each of its own: those written, then those of
-    /// finishes.
+    /// yield strengths and finishes.
     #[must_use]
     pub fn unknowns(&self) -> Vec<Unknown> {
         let mut all: Vec<Unknown> = self.spec.ranges.iter().map(|(_, one)| one.clone()).collect();
@@ -289,26 +340,38 @@ impl SceneFile {
         (is_open && self.spec.counterface.is_none()).then_some(found)
     }
 
-    /// Nothing where every number is known; where some are known within ranges, an answer in single
-    /// numbers is refused.
+    /// The scene with every unknown at one `end` of its range, `lower` or `upper`, or in its
+    /// `middle`, for an answer in single numbers, and a note that names the ranges, if there are any.
     ///
     /// # Errors
-    /// [`SceneError::Refused`] with the numbers that have ranges.
-    pub fn need_known(&self) -> Result<(), SceneError> {
-        match self.open_reason() {
-            Some(reason) => Err(SceneError::Refused { at: Place::field("surface").into(), reason }),
-            None => Ok(()),
+    /// [`SceneError::Refused`] for another word, and for numbers that no scene has.
+    pub fn taken_at(&self, end: &str) -> Result<(Self, Option<Finding>), SceneError> {
+        let refused = |reason: String| {
+            let at = Place::field("at").into();
+            SceneError::Refused { at, reason }
+        };
+        let (share, place) = match end {
+            "lower" => (0.0, "at the lower end"),
+            "middle" => (0.5, "in the middle"),
+            "upper" => (1.0, "at the upper end"),
+            _ => return Err(refused(format!("{end:?} is none of lower, middle and upper"))),
+        };
+        let unknowns = self.unknowns();
+        let range = |one: &Unknown| {
+            let [lower, upper] = one.ends.map(short);
+            let unit = unit_of(key_of_input(&one.name)).unwrap_or_default();
+            format!("{} {lower} to {upper} {unit}", one.name).trim_end().to_string()
+        };
+        let ranges = unknowns.iter().map(range).collect::<Vec<_>>().join(", ");
+        let found = Finding::note(Code::TakenAt, "at", share)
+            .fact(format!("calculated {place} of the ranges of {ranges}"))
+            .advice(
+                "at lower and upper are the ends; curve, check and recommend answer with ranges",
+            );
+        if unknowns.is_empty() {
+            return Ok((self.clone(), None));
         }
-    }
-
-    /// Why answers in single numbers are refused, if they are.
-    pub(crate) fn open_reason(&self) -> Option<String> {
-        let names: Vec<String> = self.unknowns().into_iter().map(|one| one.name).collect();
-        (!names.is_empty()).then(|| {
-            format!(
-                "numbers of the scene are known within ranges only ({}), and this answer is a single number: use curve, check or recommend (ranges in Python), which answer with ranges",
-                names.join(", ")
-            )
-        })
+        let taken = self.at(&vec![share; unknowns.len()]);
+        Ok((taken.map_err(|error| refused(error.to_string()))?, Some(found)))
     }
 }

@@ -93,7 +93,7 @@ fn alike(Statistics { m0, m2, .. }: &Statistics) -> Result<Surface, ContactError
 
 /// The interface of the bodies; an error names the body.
 fn interface(bodies: &Bodies) -> Result<Interface, Fault> {
-    let found = bodies.interface().map_err(|source| {
+    let found = bodies.middle().map_err(|source| {
         let mut each = bodies.list().iter().zip(1..);
         let first = each.find_map(|(body, k)| Some((k, Interface::against_rigid(body).err()?)));
         match first {

@@ -298,7 +298,7 @@ impl SceneFile {
             return Ok(());
         }
         let Some(before) = self.roughness_of(second) else { return Ok(()) };
-        let edited = before.with(given, || spec.bodies.interface())?;
+        let edited = before.with(given, || spec.bodies.middle())?;
         let is_written = spec.surface_mut(second).is_some_and(|one| one.roughness().is_some());
         // A scan stays where its numbers do.
         if !is_written && edited == before {

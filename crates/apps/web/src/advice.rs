@@ -273,7 +273,7 @@ mod tests {
 
     /// The joint of an alloy so soft that no like surface was solved.
     fn joint() -> String {
-        JOINT.replace("= 275e6", "= 140e6")
+        JOINT.replace("107 HV", "37 HV")
     }
 
     /// The answer of the page for a scene at a load, with values solved there.
@@ -404,7 +404,7 @@ mod tests {
     }
 
     #[test]
-    fn curves_have_their_ends_and_single_numbers_are_refused() {
+    fn curves_have_their_ends_and_tables_are_those_of_the_middle() {
         let mut desk = Desk::default();
         let shown = call(&mut desk, json!({ "call": "show", "text": GROUND }));
         let curves = call(&mut desk, json!({ "call": "curve", "models": ["ke"] }));
@@ -422,7 +422,6 @@ mod tests {
         let drawn = json!({ "call": "draw", "rows": [rows], "view": "tangent", "load": load, "solved": [] });
         assert!(call(&mut desk, drawn).as_str().unwrap().starts_with("<svg"));
         let export = json!({ "call": "export", "model": "ke", "form": "csv", "units": "SI" });
-        let refused: Value = serde_json::from_str(&desk.call(&export.to_string())).unwrap();
-        assert!(refused["error"].is_object());
+        assert!(call(&mut desk, export)["text"].is_string());
     }
 }

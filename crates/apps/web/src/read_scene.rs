@@ -1,6 +1,6 @@
 //! A text as the page shows it: fields, findings, models and numbers of its scene.
 
-use asperity::{Body, DerivedNumber, Described, HARDNESS_OVER_YIELD, Model};
+use asperity::{Body, DerivedNumber, Described, Model};
 use asperity_scene::{BODY, Field, HandedFiles, Key, Material, SceneFile, parse_handed};
 use serde_json::{Value, json};
 
@@ -89,14 +89,7 @@ pub(crate) fn material(material: &Material) -> Value {
         let value = (field.get)(body)?;
         Some(format!("{symbol} {}", shown(value, &unit.replace("ohm", "Ω"))))
     };
-    let mut shown = BODY.iter().filter_map(number).collect::<Vec<_>>().join(", ");
-    if let (None, Some(strength)) = (body.hardness, body.yield_strength) {
-        let hardness = self::shown(HARDNESS_OVER_YIELD * strength, "Pa");
-        shown += &format!(
-            "; hardness {hardness} ({HARDNESS_OVER_YIELD} times the yield strength; metals that \
-             harden are harder: a measured hardness is better)"
-        );
-    }
+    let shown = BODY.iter().filter_map(number).collect::<Vec<_>>().join(", ");
     let Material { id, name, source, .. } = material;
     json!({ "id": id, "name": name, "shown": shown, "source": source })
 }
@@ -140,6 +133,6 @@ mod tests {
                 .all(|one| text(one, "shown").starts_with("E ") && !text(one, "source").is_empty())
         );
         let copper = all.iter().find(|one| one["id"] == "copper-hot-rolled").unwrap();
-        assert!(text(copper, "shown").contains("193.2 MPa"), "{copper}");
+        assert!(text(copper, "shown").contains("539.4 MPa"), "{copper}");
     }
 }

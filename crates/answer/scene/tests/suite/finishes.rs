@@ -100,7 +100,7 @@ fn points_fill_the_ranges_and_their_ends_are_balanced() {
 #[test]
 fn a_number_that_is_given_has_no_range() {
     let exact = scene(KNOWN);
-    assert!(exact.unknowns().is_empty() && exact.need_known().is_ok());
+    assert!(exact.unknowns().is_empty());
     let moments = exact.scene.surface.moments();
     near(moments.m2, 0.01, 1e-12);
     near(moments.m4, 10.0 * 0.01 * 0.01 / 1e-12, 1e-9);
@@ -218,21 +218,18 @@ fn a_given_offset_holds_at_the_ends_of_the_ranges() {
     assert!(ends.len() > 1 && ends.iter().any(|end| (end / ends[0] - 1.0).abs() > 0.01));
 }
 
+/// Single numbers are those in the middle, or at the ends of all ranges.
 #[test]
-fn single_numbers_are_refused_and_the_keys_are_written_again() {
+fn one_end_of_every_range_is_taken_and_the_keys_are_written_again() {
     let file = scene("ra = \"0.8 um\"\nfinish = \"ground\"");
-    let SceneError::Refused { at, reason } = file.model("ke").unwrap_err() else { panic!() };
-    assert!(at.field == "surface" && reason.contains("(rq, mean_slope, bandwidth)"), "{reason}");
-    // The lay of the finish opens a known slope.
-    let refused = scene(&format!(
-        "{KNOWN}
-finish = \"ground\""
-    ))
-    .model("ke")
-    .unwrap_err();
-    assert!(refused.to_string().contains("(mean_slope)"), "{refused}");
-    assert!(scene(KNOWN).model("ke").is_ok());
-    assert!(file.models().0.is_empty());
+    for (end, k) in [("lower", 0), ("middle", 1), ("upper", 2)] {
+        let (taken, note) = file.taken_at(end).unwrap();
+        near(taken.scene.surface.moments().m0.sqrt(), ranges(&file)[0][k], 1e-12);
+        assert_eq!(note.unwrap().code, "taken-at");
+        assert!(taken.unknowns().is_empty() && taken.taken_at(end).unwrap().1.is_none());
+    }
+    assert!(matches!(file.taken_at("most"), Err(SceneError::Refused { .. })));
+    assert!(file.model("ke").is_ok() && !file.models().0.is_empty());
     let area = file.inputs(["nominal_area"]).unwrap()[0];
     let larger = file.with_inputs([(area, 2e-4)]).unwrap();
     let again = parse(&larger.to_toml(&[]).unwrap(), Path::new(".")).unwrap();

@@ -115,7 +115,7 @@ fn a_resistivity_that_is_a_conductivity_and_typed_numbers_are_named() {
     // A hardness that is missing has its place.
     bench.write("soft.toml", &scene.replace("\nhardness =", "\n# hardness ="));
     let refused = bench.run("curve soft.toml --model ke --load 1").messages;
-    assert!(refused.contains("soft.toml:11"), "{refused}");
+    assert!(refused.contains("soft.toml:12"), "{refused}");
     let (head, rest) = scene.split_once("asperity_radius = 2e-4").unwrap();
     let tail = rest.split_once("heights = \"gaussian\"").unwrap().1;
     let iso = "sq = \"1.1 um\"\nspd = \"600 1/um2\"\nspc = \"5 1/mm\"";

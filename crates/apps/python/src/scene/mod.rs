@@ -136,13 +136,13 @@ impl SceneFile {
     /// The two bodies.
     #[getter]
     fn interface<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        records::interface(py, &self.0.scene.interface, self.0.bodies())
+        let written = self.0.spec.bodies.interface().map_err(refused)?;
+        records::interface(py, &written, self.0.bodies())
     }
 
-    /// The equivalent rough surface; an error if it is known within ranges.
+    /// The equivalent rough surface, in the middle of its ranges.
     #[getter]
     fn surface<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        self.0.need_known().map_err(value_error)?;
         records::surface(py, &self.0.scene.surface, self.0.roughness())
     }
 
@@ -224,24 +224,27 @@ impl SceneFile {
         scenes.call1((slf, columns.unwrap_or(&PyDict::new(slf.py()))))
     }
 
+    /// The scene with every number that is known within a range at its "lower" or "upper" end, or in
+    /// the "middle", where answers in single numbers are calculated.
+    fn at(&self, end: &str) -> PyResult<Self> {
+        Ok(Self(Arc::new(self.0.taken_at(end).map_err(value_error)?.0)))
+    }
+
     /// One asperity of the surface with every input resolved.
     #[getter]
     fn asperity<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        self.0.need_known().map_err(value_error)?;
         records::record(py, &self.0.scene.asperity().map_err(refused)?)
     }
 
     /// The number of asperities: density times nominal area.
     #[getter]
     fn asperities(&self) -> PyResult<f64> {
-        self.0.need_known().map_err(value_error)?;
         Ok(self.0.scene.asperities())
     }
 
     /// The square root of height_std over the critical interference.
     #[getter]
     fn plasticity_index(&self) -> PyResult<f64> {
-        self.0.need_known().map_err(value_error)?;
         self.0.scene.plasticity_index().map_err(refused)
     }
 
