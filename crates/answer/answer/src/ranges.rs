@@ -2,7 +2,7 @@
 //! end.
 
 use asperity::{Code, Quantity, map_runs, short};
-use asperity_scene::{AT_AN_END, Description, Points, SceneFile, Unknown, worst_at_ends};
+use asperity_scene::{Description, Points, SceneFile, Unknown};
 
 use crate::inquiry::{ENDS, column_of_end};
 use crate::{AnswerError, Cell, Sheet};
@@ -136,14 +136,15 @@ impl Ends<'_> {
     /// Says which unknown makes the ranges wide, and the shares of all; passes on warnings that the
     /// middle does not have.
     fn add_findings(&self, sheet: &mut Sheet) {
-        let at_ends = self.sheets.iter().flat_map(|end| &end.findings);
-        let new = worst_at_ends(&sheet.findings, at_ends);
+        let found = self.sheets.iter().enumerate();
+        let found = found.flat_map(|(k, one)| one.findings.iter().map(move |found| (k, found)));
+        let new = self.points.worst(&sheet.findings, found);
         sheet.findings.extend(new);
         // The first result is the verdict of a recommendation.
         let own = sheet.results.first().cloned();
         let mut others = self.sheets.iter().filter_map(|end| end.results.first());
         if let Some(other) = others.find(|other| Some(*other) != own.as_ref()) {
-            sheet.result(format!("{AT_AN_END}: {other}"));
+            sheet.result(format!("elsewhere in the ranges: {other}"));
         }
         let unknowns = &self.points.unknowns;
         let columns =
@@ -193,7 +194,6 @@ impl Ends<'_> {
             let text = "waviness longer than lambda_c is not in the roughness and can only make the joint softer than these stiffnesses";
             sheet.note(Code::Waviness, text);
         }
-        sheet.findings.extend(self.file.smooth_counterface());
     }
 }
 

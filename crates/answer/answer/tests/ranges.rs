@@ -65,11 +65,13 @@ fn widths_are_those_of_closed_forms() {
         let [elastic, yielding_2, yielding_7, stiffness, conductance] = row[5..] else {
             panic!("{line}")
         };
-        let file = finished(finish, ra, 2e9);
+        // Slopes of profiles with the cut-off of the table.
+        let cut_offs = "lambda_s = 2.5e-6\nlambda_c = 8e-4";
+        let file = two_faces(&format!("ra = {ra}e-6\nfinish = \"{finish}\"\n{cut_offs}"), 2e9);
         // Persson's area at a light load is 2 p/(E g) up to a factor, and needs no bandwidth.
         let (found, _) = ends(&file, "persson", Quantity::AreaFraction);
         assert!((width(found) / elastic - 1.0).abs() < 0.02, "{line}: {found:?}");
-        let keys = format!("ra = {ra}e-6\nfinish = \"{finish}\"\nbandwidth = 10");
+        let keys = format!("ra = {ra}e-6\nfinish = \"{finish}\"\nbandwidth = 10\n{cut_offs}");
         // Of a known bandwidth; additive areas overestimate the width where yielding begins.
         for (hardness, wanted) in [(2e9, yielding_2), (7e9, yielding_7)] {
             let (found, _) = ends(&two_faces(&keys, hardness), "ke", Quantity::AreaFraction);
@@ -241,4 +243,17 @@ fn draws_from_the_ranges_lie_between_the_ends() {
             assert!(outside * 100 <= compared, "{id} {outside} of {compared} {surface}");
         }
     }
+}
+
+/// An area above the nominal one at an end is named with that end.
+#[test]
+fn a_finding_at_an_end_names_it() {
+    let soft = finished("ground", 0.8, 2e9).to_toml(&[]).unwrap();
+    let soft = soft.replace("hardness = 2e9", "hardness = [2e6, 2e9]");
+    let (_, sheet) = ends(&parse(&soft, Path::new(".")).unwrap(), "ke", Quantity::AreaFraction);
+    let found = sheet.findings.iter().find(|found| {
+        let origin = found.origin.as_deref().unwrap_or_default();
+        origin.starts_with("at the lower end of hardness")
+    });
+    assert!(found.is_some(), "{:?}", sheet.findings);
 }

@@ -65,7 +65,6 @@ impl SceneFile {
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let of_pair = self.missing_hardness().into_iter().chain(self.equally_hard());
-        let of_pair = of_pair.chain(self.smooth_counterface());
         let found = of_interface.into_iter().chain(self.of_bodies()).chain(of_pair);
         let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
         let found = self.accepted(found).into_iter();

@@ -233,7 +233,9 @@ impl<'a> Document<'a> {
 
     /// Refuses unknown keys everywhere but in the options.
     pub(crate) fn check_sections(&self) -> Result<(), SceneError> {
-        for section in ["", "surface", COUNTERFACE, "interface", "gap"] {
+        let is_word = self.value(COUNTERFACE).is_some_and(Value::is_str);
+        let sections = ["", "surface", COUNTERFACE, "interface", "gap"].into_iter();
+        for section in sections.filter(|section| !is_word || *section != COUNTERFACE) {
             self.check_keys(section, &keys_of(section))?;
         }
         let bodies = self.table.get("body").and_then(Value::as_array).map_or(0, Vec::len);

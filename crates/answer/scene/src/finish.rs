@@ -35,8 +35,6 @@ const CUSP: f64 = 31.18;
 const LONGEST: f64 = 0.08;
 /// The key of the mean slope.
 const SLOPE: &str = "mean_slope";
-/// The slope in units of which the table has the slopes of finishes, as a text.
-const USUAL: &str = "0.125 Rq^0.402 (um) times";
 
 /// A surface as a drawing gives it: its roughness and its finish, in SI units.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -184,22 +182,32 @@ impl Drawing {
         found.map_or_else(|| missing("finish", format!("a finish with a known {what}")), Ok)
     }
 
+    /// The range of the slope over the usual one for this finish and λ_s.
+    fn slopes(&self, [short_cut, _]: [f64; 2]) -> Found<(&'static Range, [f64; 2])> {
+        let found = Range::slopes(self.finish.unwrap_or(UNKNOWN), short_cut);
+        found.map_or_else(|| missing("finish", "a finish with a known slope"), Ok)
+    }
+
     /// Rq.
     fn height(&self) -> Found<Unknown> {
         if let Some(rq) = self.number("rq")? {
             return Ok(Unknown::given("rq", rq, "rq"));
         }
-        match (self.number("ra")?, self.number("rz")?) {
+        let (range, of, text) = match (self.number("ra")?, self.number("rz")?) {
             (Some(ra), _) => {
-                Ok(self.range("rq_over_ra")?.unknown("rq", |ratio| ra * ratio, "ra times", "rq"))
+                let range = self.range("rq_over_ra")?;
+                (range, [range.lower, range.upper].map(|ratio| ra * ratio), "ra times")
             }
             (None, Some(rz)) => {
-                Ok(self.range("rz_over_rq")?.unknown("rq", |ratio| rz / ratio, "rz over", "rq"))
+                let range = self.range("rz_over_rq")?;
+                (range, [range.lower, range.upper].map(|ratio| rz / ratio), "rz over")
             }
             (None, None) => {
-                missing("ra", "a finish needs the height of the roughness: ra, rq or rz")
+                return missing("ra", "a finish needs the height of the roughness: ra, rq or rz");
             }
-        }
+        };
+        let text = format!("{text} {} to {}", range.lower, range.upper);
+        Ok(range.unknown("rq", of, &text, "rq"))
     }
 
     /// The mean slope across the lay.
@@ -214,8 +222,9 @@ impl Drawing {
         let mut slope = match (rz, rsm) {
             (Some(rz), Some(rsm)) => {
                 let range = Range::at_ratio("slope_over_rz_rsm", "rdq", cut_offs)?;
-                let of = |ratio| ratio * 2.0 * rz / rsm;
-                range.unknown(SLOPE, of, "2 rz/rsm times", "rdq or a scan")
+                let ends = [range.lower, range.upper].map(|ratio| ratio * 2.0 * rz / rsm);
+                let text = format!("2 rz/rsm times {} to {}", range.lower, range.upper);
+                range.unknown(SLOPE, ends, &text, "rdq or a scan")
             }
             (None, Some(_)) => return missing("rz", "rsm gives the slope with rz only"),
             _ if self.finish.is_none() => {
@@ -227,8 +236,11 @@ impl Drawing {
                 );
             }
             _ => {
-                let of = |ratio| ratio * usual_slope(height.middle());
-                self.range("slope")?.unknown(SLOPE, of, USUAL, "rdq, rz with rsm, or a scan")
+                let (range, ends) = self.slopes(cut_offs)?;
+                let [lower, upper] = ends.map(short);
+                let text = format!("0.125 Rq^0.402 (um) times {lower} to {upper}");
+                let ends = ends.map(|ratio| ratio * usual_slope(height.middle()));
+                range.unknown(SLOPE, ends, &text, "rdq, rz with rsm, or a scan")
             }
         };
         if let Some((feed, radius)) = self.tool()? {
@@ -273,9 +285,26 @@ impl Drawing {
             return Ok(Unknown::given("bandwidth", bandwidth, "bandwidth"));
         }
         let [short_cut, cut] = cut_offs.map(|length| short(1e6 * length));
-        let text = format!("lambda_c {cut} um, lambda_s {short_cut} um:");
+        let text = format!("lambda_c {cut} um, lambda_s {short_cut} um");
         let range = Range::at_ratio("bandwidth", "bandwidth", cut_offs)?;
-        Ok(range.unknown("bandwidth", |alpha| alpha, &text, "bandwidth or a scan"))
+        let ends = [range.lower, range.upper];
+        Ok(range.unknown("bandwidth", ends, &text, "bandwidth or a scan"))
+    }
+
+    /// A note on the heights of a finish that are not Gaussian.
+    pub(crate) fn skewed(&self) -> Option<Finding> {
+        let finish = self.finish?;
+        let Range { lower, upper, .. } = Range::of_finish("skewness", finish)?;
+        let taken = [lower.max(-1.0), upper.min(2.0)];
+        let found = Finding::note(Code::NotGaussian, "finish", 0.5 * (lower + upper));
+        let fact = format!(
+            "{finish} surfaces have a skewness of {lower} to {upper}, and Gaussian heights have none"
+        );
+        let advice = format!(
+            "heights = {{ skewness = [{}, {}] }} has a part of this range in models of asperities",
+            taken[0], taken[1]
+        );
+        Some(found.fact(fact).advice(advice))
     }
 
     /// The warnings of numbers that contradict each other.
@@ -284,7 +313,8 @@ impl Drawing {
     /// Those of [`unknowns`](Self::unknowns).
     pub(crate) fn warnings(&self, place: impl Fn(&str) -> String) -> Found<Vec<Finding>> {
         let height = self.height()?;
-        let across = self.slope_across(&height, self.cut_offs(&height)?)?;
+        let cut_offs = self.cut_offs(&height)?;
+        let across = self.slope_across(&height, cut_offs)?;
         let mut found = vec![];
         let mut warn = |key: &'static str, value: f64, fact: String, advice: &str| {
             let warning = Finding::warning(Code::RoughnessNumbers, key, value);
@@ -307,9 +337,10 @@ impl Drawing {
             }
         }
         let (slope, usual) = (across.middle(), usual_slope(height.middle()));
-        let odd = Range::of_finish("slope", UNKNOWN).filter(|range| !range.contains(slope / usual));
-        if let Some(Range { lower, upper, .. }) = odd.filter(|_| self.finish != Some("polished")) {
-            let [least, most] = [lower, upper].map(|ratio| short(ratio * usual));
+        let usual_range = Range::slopes(UNKNOWN, cut_offs[0]).map(|(_, ends)| ends);
+        let odd = usual_range.filter(|[lower, upper]| !(lower..=upper).contains(&&(slope / usual)));
+        if let Some(ends) = odd.filter(|_| self.finish != Some("polished")) {
+            let [least, most] = ends.map(|ratio| short(ratio * usual));
             let fact = format!(
                 "the mean slope is {}, and machined surfaces of this roughness have {least} to {most}",
                 short(slope)

@@ -10,7 +10,8 @@ use crate::ranges::Unknown;
 /// A range of a number of surfaces of one finish, or of one ratio of cut-offs.
 #[derive(Debug, Clone, Deserialize)]
 pub(crate) struct Range {
-    /// The number: `rq_over_ra`, `rz_over_rq`, `slope` (over the usual one), `along_over_across`
+    /// The number: `rq_over_ra`, `rz_over_rq`, `slope` (over the usual one, at λ_s 2.5 µm),
+    /// `slope_longer` (at a cut-off 3.2 times as long over that), `skewness`, `along_over_across`
     /// (slopes, by the lay), `bandwidth`, `slope_over_rz_rsm` (over 2 Rz/RSm) or `wavelengths`
     /// (λ_s and λ_c \[m\]).
     what: String,
@@ -73,27 +74,33 @@ impl Range {
         Some([range.lower, range.upper])
     }
 
+    /// The range of the slope over the usual one of profiles of a finish with this λ_s \[m\]: the
+    /// table has that at 2.5 µm, and the range of the ratio of two slopes of which one has 3.2 times
+    /// the cut-off of the other.
+    pub(crate) fn slopes(finish: &str, short_cut: f64) -> Option<(&'static Self, [f64; 2])> {
+        let (range, longer) =
+            (Self::of_finish("slope", finish)?, Self::of_finish("slope_longer", finish)?);
+        let steps = (short_cut / 2.5e-6).ln() / 3.2f64.ln();
+        let by = [longer.lower.powf(steps), longer.upper.powf(steps)];
+        let [least, most] = [by[0].min(by[1]), by[0].max(by[1])];
+        Some((range, [range.lower * least, range.upper * most]))
+    }
+
     /// The range of a number that follows from this one, which is described by `text`.
     pub(crate) fn unknown(
         &'static self,
         name: &str,
-        of: impl Fn(f64) -> f64,
+        [one, other]: [f64; 2],
         text: &str,
         narrowed: &'static str,
     ) -> Unknown {
-        let Self { lower, upper, status, source, .. } = self;
-        let [one, other] = [of(*lower), of(*upper)];
-        let (ends, source) =
-            ([one.min(other), one.max(other)], format!("{text} {lower} to {upper}: {source}"));
+        let Self { status, source, .. } = self;
+        let (ends, source) = ([one.min(other), one.max(other)], format!("{text}: {source}"));
         Unknown { name: name.into(), ends, status, source, narrowed }
     }
 
     fn number(&self) -> f64 {
         self.of.parse().unwrap_or(f64::NAN)
-    }
-
-    pub(crate) fn contains(&self, value: f64) -> bool {
-        (self.lower..=self.upper).contains(&value)
     }
 }
 
@@ -102,15 +109,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_line_is_a_range_and_every_finish_has_four() {
+    fn every_line_is_a_range_and_every_finish_has_five() {
         assert_eq!(TABLE.len(), include_str!("finishes.csv").lines().count() - 1);
         for Range { what, of, lower, upper, status, source } in TABLE.iter() {
-            assert!(0.0 < *lower && lower <= upper && !source.is_empty(), "{what} of {of}");
+            let is_positive = 0.0 < *lower || what == "skewness";
+            assert!(is_positive && lower <= upper && !source.is_empty(), "{what} of {of}");
             assert!(["formula", "scan", "assumed", "ISO"].contains(&&**status), "{status}");
         }
         let key = crate::keys::KEYS.iter().find(|key| key.name == "finish").unwrap();
         assert_eq!(finishes().collect::<Vec<_>>().join("|"), key.form[1]);
-        for what in ["rq_over_ra", "rz_over_rq", "slope", "along_over_across"] {
+        for what in ["rq_over_ra", "rz_over_rq", "slope", "slope_longer", "along_over_across"] {
             assert!(finishes().all(|finish| Range::of_finish(what, finish).is_some()), "{what}");
         }
         // An Ra beyond the last row has a cut-off, too.
@@ -132,18 +140,21 @@ mod tests {
         for (surface, finish, numbers) in &rows {
             let [cut, short, rq, slope, bandwidth] = numbers[..] else { panic!("{surface}") };
             let range = Range::at_ratio("bandwidth", "bandwidth", [short, cut]).unwrap();
-            assert!(range.contains(bandwidth), "{surface} {cut} {short}: bandwidth {bandwidth}");
-            // Slopes at the longest cut-off of each surface, without its waviness, and short waves.
+            assert!(
+                (range.lower..=range.upper).contains(&bandwidth),
+                "{surface} {cut} {short}: bandwidth {bandwidth}"
+            );
+            // Slopes at the longest cut-off of each surface, without its waviness.
             let of_surface = rows.iter().filter(|row| row.0 == *surface);
             let longest = of_surface.map(|row| row.2[0]).fold(0.0, f64::max);
-            if finish.is_empty() || cut < longest || short > 8.0 {
+            if finish.is_empty() || cut < longest {
                 continue;
             }
             let ratio = slope / (0.125 * rq.powf(0.402));
-            let range = Range::of_finish("slope", finish).unwrap();
+            let (_, [lower, upper]) = Range::slopes(finish, 1e-6 * short).unwrap();
             assert!(
-                (range.lower..=range.upper).contains(&ratio),
-                "{surface} {cut} {short}, {finish}: {ratio}"
+                (lower..=upper).contains(&ratio),
+                "{surface} {cut} {short}, {finish}: {ratio} of {lower} to {upper}"
             );
             compared += 1;
         }

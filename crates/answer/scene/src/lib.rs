@@ -64,7 +64,7 @@ pub use models::LeftOut;
 pub use options::ModelOptions;
 pub use origin::Provenance;
 pub use quantity::{NO_LOAD, column_of, converted, quantity, quantity_of, unit_of};
-pub use ranges::{AT_AN_END, Points, Unknown, worst_at_ends};
+pub use ranges::{Points, Unknown};
 pub use read::{load, load_scan, parse, parse_handed};
 pub use roughness::{Roughness, Way};
 pub use scene_file::SceneFile;

@@ -121,6 +121,11 @@ impl SceneFile {
 
     /// Why models of pairs do not know each of its two surfaces.
     fn no_pair(&self) -> Option<&'static str> {
+        if self.spec.is_smooth {
+            return Some(
+                "counterface = \"smooth\" leaves one rough surface, and models of pairs press two",
+            );
+        }
         let unknown = self.spec.counterface.is_some() && self.scene.pair.is_none();
         unknown.then_some(match self.spec.pressed {
             Some(_) => "models of pairs need two independent surfaces, not aligned scans",

@@ -6,7 +6,6 @@ use asperity::{
 };
 
 use crate::error::{Place, SceneError};
-use crate::finish::Drawing;
 use crate::keys::{SECOND, key_of_input};
 use crate::materials::HARDNESS_OVER_YIELD;
 use crate::quantity::unit_of;
@@ -22,9 +21,6 @@ const FULL: usize = 7;
 const INSIDE: usize = 64;
 /// Of a Halton sequence every 409th point is taken: neighbours of large bases are alike.
 const LEAP: usize = 409;
-
-/// Where a finding is from that the middle of the ranges does not have.
-pub const AT_AN_END: &str = "at an end of the ranges";
 
 /// A number of a scene that is known within a range: written as two values, or supplied by a
 /// finish or by a yield strength without a hardness.
@@ -99,6 +95,39 @@ pub struct Points {
 }
 
 impl Points {
+    /// The warnings at points with codes that are not `known` in the middle, each with the number of
+    /// its point: one of each code, with the largest excess over its usual range, and where it is.
+    pub fn worst<'f>(
+        &self,
+        known: &[Finding],
+        at_points: impl Iterator<Item = (usize, &'f Finding)>,
+    ) -> Vec<Finding> {
+        let mut new: Vec<(usize, &Finding)> = vec![];
+        let is_new = |found: &Finding| known.iter().all(|known| known.code != found.code);
+        for (k, found) in at_points.filter(|(_, one)| one.severity < Severity::Note && is_new(one))
+        {
+            match new.iter_mut().find(|(_, known)| known.code == found.code) {
+                Some(known) if found.excess() > known.1.excess() => *known = (k, found),
+                Some(_) => {}
+                None => new.push((k, found)),
+            }
+        }
+        new.into_iter().map(|(k, found)| found.clone().from_origin(self.place(k))).collect()
+    }
+
+    /// Where a point is: the numbers at their lower ends, and those at their upper ones.
+    fn place(&self, k: usize) -> String {
+        let Some(uppers) = self.corners().nth(k) else { return "within the ranges".into() };
+        let of = |is_upper: bool| {
+            let names = self.unknowns.iter().zip(&uppers).filter(|(_, upper)| **upper == is_upper);
+            names.map(|(one, _)| &*one.name).collect::<Vec<_>>().join(", ")
+        };
+        let ends = [("lower", of(false)), ("upper", of(true))];
+        let ends = ends.into_iter().filter(|(_, names)| !names.is_empty());
+        let ends = ends.map(|(end, names)| format!("{end} end of {names}"));
+        format!("at the {}", ends.collect::<Vec<_>>().join(" and the "))
+    }
+
     /// For each combination of ends whether each unknown is at its upper end.
     pub fn corners(&self) -> impl Iterator<Item = Vec<bool>> {
         let corners = self.shares.len().saturating_sub(INSIDE);
@@ -144,24 +173,6 @@ fn reversed(mut number: usize, base: usize) -> f64 {
         number /= base;
     }
     share
-}
-
-/// The warnings at points of the ranges with codes that are not `known` in the middle: one of each
-/// code, with the largest excess over its usual range.
-pub fn worst_at_ends<'f>(
-    known: &[Finding],
-    at_points: impl Iterator<Item = &'f Finding>,
-) -> Vec<Finding> {
-    let mut new: Vec<&Finding> = vec![];
-    let is_new = |found: &Finding| known.iter().all(|known| known.code != found.code);
-    for found in at_points.filter(|found| found.severity < Severity::Note && is_new(found)) {
-        match new.iter_mut().find(|known| known.code == found.code) {
-            Some(known) if found.excess() > known.excess() => *known = found,
-            Some(_) => {}
-            None => new.push(found),
-        }
-    }
-    new.into_iter().map(|found| found.clone().from_origin(AT_AN_END)).collect()
 }
 
 impl Bodies {
@@ -313,31 +324,22 @@ impl SceneFile {
             number.ends = differs.then_some([lower, upper]);
         }
         let mut given = Check::default();
-        for one in points.unknowns {
+        for one in &points.unknowns {
             let (value, meaning) = (one.middle(), format!("{}: {}", one.status, one.source));
             let unit = unit_of(key_of_input(&one.name)).unwrap_or_default();
-            given.add_number(one.name, value, unit, meaning);
+            given.add_number(one.name.clone(), value, unit, meaning);
             given.numbers.iter_mut().last().into_iter().for_each(|new| new.ends = Some(one.ends));
         }
         let is_new = |one: &DerivedNumber| given.number(&one.name).is_none();
         check.numbers.retain(is_new);
         given.numbers.append(&mut check.numbers);
         check.numbers = given.numbers;
-        let new = worst_at_ends(&check.findings, all.iter().flat_map(|one| one.findings.iter()));
+        let found = all.iter().enumerate();
+        let found = found.flat_map(|(k, one)| one.findings.iter().map(move |found| (k, found)));
+        let new = points.worst(&check.findings, found);
         check.extend(new);
-        check.extend(self.smooth_counterface());
         check.findings = self.accepted(check.findings);
         Ok(check)
-    }
-
-    /// A note that the other surface is taken as smooth, of a single surface with ranges.
-    #[must_use]
-    pub fn smooth_counterface(&self) -> Option<Finding> {
-        let is_open = self.spec.surface.drawing().is_some_and(Drawing::is_open);
-        let found = Finding::note(Code::SmoothCounterface, "counterface", f64::NAN)
-            .fact("the other surface is taken as smooth (by models of pairs as rough as this one)")
-            .advice("describe it as counterface if it is rough, too");
-        (is_open && self.spec.counterface.is_none()).then_some(found)
     }
 
     /// The scene with every unknown at one `end` of its range, `lower` or `upper`, or in its

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use asperity::{Code, Datum, Finding, Findings, TabulatedHeights};
+use toml::Value;
 
 use crate::accept;
 use crate::document::{Document, Files, HandedFiles};
@@ -12,7 +13,7 @@ use crate::gap::gas;
 use crate::height_map::height_map;
 use crate::heights::{HeightsKey, compare_std};
 use crate::interface::bodies;
-use crate::keys::{COUNTERFACE, joined};
+use crate::keys::{COUNTERFACE, joined, keys_of};
 use crate::options::ModelOptions;
 use crate::ranges::Unknown;
 use crate::resolve::resolve;
@@ -106,12 +107,13 @@ fn spec(
     let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
     let table = key.table(document)?;
     let table_std = table.as_ref().map(TabulatedHeights::standard_deviation);
-    let Surfaces { first, second, scans } = surfaces(document, &key, table_std, asked)?;
+    let Surfaces { first, second, is_smooth, scans } = surfaces(document, &key, table_std, asked)?;
     let heights = key.spec(document, table)?;
     let pressed = scans.as_ref().and_then(|scans| scans.sum.clone());
     let gas = gas(document)?;
     let spec = SceneSpec {
         counterface: second,
+        is_smooth,
         pressed,
         heights,
         separation_from,
@@ -199,5 +201,14 @@ fn ranges(
         }
         Ok((input, Unknown::written(input.name(), *ends)))
     };
-    document.ranges.iter().map(range).collect()
+    let mut all = document.ranges.clone();
+    // Of a surface that is the same, each number has the range of the other.
+    if document.value(COUNTERFACE).and_then(Value::as_str) == Some("same") {
+        let own = document.ranges.iter().filter_map(|(path, ends)| {
+            let key = path.strip_prefix("surface.")?;
+            keys_of(COUNTERFACE).contains(&key).then(|| (joined(COUNTERFACE, key), *ends))
+        });
+        all.extend(own);
+    }
+    all.iter().map(range).collect()
 }

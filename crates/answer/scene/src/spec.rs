@@ -31,6 +31,8 @@ pub struct SceneSpec {
     pub surface: SurfaceSpec,
     /// The second rough surface.
     pub counterface: Option<SurfaceSpec>,
+    /// Whether there was said to be none.
+    pub(crate) is_smooth: bool,
     /// What boundary elements press where that is not the scan of `surface`: the sum of two aligned
     /// scans, or a scan beside asperities.
     pub(crate) pressed: Option<Arc<Scan>>,
@@ -233,6 +235,7 @@ impl SceneSpec {
             bodies,
             surface,
             counterface: None,
+            is_smooth: false,
             pressed: None,
             heights: HeightsSpec::default(),
             separation_from: Datum::AsperityMean,

@@ -94,6 +94,7 @@ impl SceneFile {
         let is_drawn = self.spec.surface.drawing().is_some();
         let is_beyond = is_drawn
             || self.spec.counterface.is_some()
+            || self.spec.is_smooth
             || self.spec.surface.roughness().is_some_and(by_index);
         (is_beyond && !has_scan).then(|| self.surface_keys())
     }
@@ -145,7 +146,11 @@ impl SceneFile {
     fn surface_keys(&self) -> Table {
         let (first, second) = (&self.spec.surface, self.spec.counterface.as_ref());
         let mut keys = first.keys();
-        let Some(second) = second else { return keys };
+        let Some(second) = second else {
+            let word = self.spec.is_smooth.then(|| ("counterface".into(), "smooth".into()));
+            keys.extend(word);
+            return keys;
+        };
         let sources = [first, second].map(|one| one.scan().and_then(|scan| scan.source.as_ref()));
         match sources {
             [Some((one, own)), Some((two, other))] if own == other && !second.has_own() => {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::{ContactModel, Quantity, Request};
+use asperity::{ContactModel, Finding, Quantity, Request};
 use asperity_scene::{SceneError, SceneFile, Unknown, parse};
 
 use crate::two_surfaces::HEAD;
@@ -249,7 +249,9 @@ fn odd_numbers_have_a_warning() {
     let odd = |surface: &str| {
         let file = scene(surface);
         let all = file.warnings.iter().cloned().chain(file.findings());
-        all.filter(|found| found.code != "smooth-counterface").count() > 0
+        let of_numbers =
+            |found: &Finding| found.code != "smooth-counterface" && found.code != "not-gaussian";
+        all.filter(of_numbers).count() > 0
     };
     let turned = "finish = \"turned\"\nfeed = \"0.2 mm\"\nnose_radius = \"0.8 mm\"";
     for (surface, wanted) in [
@@ -400,6 +402,73 @@ fn ranges_that_are_none_are_refused_at_their_key() {
         assert_eq!(error.place().unwrap().field, "interface.hardness", "{odd}: {error}");
         assert_eq!(error.place().unwrap().line, Some(5), "{odd}: {error}");
     }
+}
+
+/// Finer waves are steeper: by the ratio of the table for each factor of 3.2 of the cut-off.
+#[test]
+fn the_slope_of_a_finish_depends_on_the_short_cut_off() {
+    let slope = |cut: f64| {
+        let cut_offs = format!("lambda_s = {cut}e-6\nlambda_c = {}e-6", 100.0 * cut);
+        let [_, [lower, _, upper], _] =
+            ranges(&scene(&format!("ra = \"0.8 um\"\nfinish = \"honed\"\n{cut_offs}")));
+        [lower, upper]
+    };
+    let [fine, usual, coarse] = [2.5 / 3.2, 2.5, 8.0].map(slope);
+    for (ends, wanted) in [(coarse, [0.5, 0.75]), (fine, [1.0 / 0.75, 1.0 / 0.5])] {
+        (0..2).for_each(|k| near(ends[k] / usual[k], wanted[k], 1e-9));
+    }
+    // A plateau-like profile at 25 um: 0.28 times the usual slope.
+    let [lower, upper] = slope(25.0).map(|slope| slope / usual[0] * 0.4);
+    assert!(lower < 0.28 && 0.28 < upper, "{lower} {upper}");
+}
+
+#[test]
+fn the_other_surface_of_a_finish_is_said_or_warned_of() {
+    let ground = "ra = [\"0.6 um\", \"1 um\"]\nfinish = \"ground\"";
+    let with = |word: &str| scene(&format!("{ground}\ncounterface = \"{word}\""));
+    let is_warned =
+        |file: &SceneFile| file.warnings.iter().any(|one| one.code == "smooth-counterface");
+    assert!(is_warned(&scene(ground)) && scene(ground).model("ke-pairs").is_ok());
+    // No rough surface that is not known within ranges needs the key.
+    assert!(!is_warned(&scene(KNOWN)) && !is_warned(&scene("m0 = 1e-12\nm2 = 1e-4\nm4 = 5e4")));
+    let smooth = with("smooth");
+    assert!(!is_warned(&smooth));
+    assert_eq!(smooth.scene.surface, scene(ground).scene.surface);
+    assert!(smooth.model("ke").is_ok() && smooth.model("ke-pairs").is_err());
+    let again = parse(&smooth.to_toml(&[]).unwrap(), Path::new(".")).unwrap();
+    assert!(again.model("ke-pairs").is_err());
+    // The same is a surface of its own, with the same ranges.
+    let same = with("same");
+    assert!(!is_warned(&same) && same.model("ke-pairs").is_ok());
+    let (own, other): (Vec<_>, Vec<_>) =
+        open(&same).into_iter().partition(|(name, _)| !name.starts_with("counterface_"));
+    assert_eq!((own.len(), other.len()), (4, 4));
+    for ((name, spread), (other, same)) in own.iter().zip(&other) {
+        assert_eq!(format!("counterface_{name}"), *other);
+        near(*spread, *same, 1e-12);
+    }
+    let again = parse(&same.to_toml(&[]).unwrap(), Path::new(".")).unwrap();
+    let sorted = |file: &SceneFile| {
+        let mut names: Vec<String> = open(file).into_iter().map(|(name, _)| name).collect();
+        names.sort_unstable();
+        names
+    };
+    assert_eq!(sorted(&again), sorted(&same));
+    let text = format!("{}{ground}\ncounterface = \"rough\"\n", HEAD.replace("1e-8", "1e-4"));
+    let error = parse(&text, Path::new(".")).unwrap_err();
+    assert_eq!(error.place().unwrap().field, "surface.counterface");
+}
+
+#[test]
+fn a_finish_with_skewed_heights_has_a_note() {
+    let is_noted =
+        |surface: &str| scene(surface).warnings.iter().any(|found| found.code == "not-gaussian");
+    assert!(
+        is_noted("ra = 4e-7\nfinish = \"honed\"") && !is_noted("ra = 4e-7\nfinish = \"ground\"")
+    );
+    let skewed = "ra = 4e-7\nfinish = \"honed\"\nheights = { skewness = [-1, -0.5] }";
+    assert!(!is_noted(skewed));
+    assert!(scene(skewed).unknowns().iter().any(|one| one.name == "skewness"));
 }
 
 /// A surface by a finish whose height is a range: the range of the finish is that at each height.
