@@ -1,7 +1,7 @@
 //! Answers on a scene whose numbers are known within ranges: every number with its lower and upper
 //! end.
 
-use asperity::{Code, Quantity, map_runs, short};
+use asperity::{Code, Quantity, map_runs};
 use asperity_scene::{Description, Points, SceneFile, Unknown};
 
 use crate::inquiry::{ENDS, column_of_end};
@@ -157,22 +157,10 @@ impl Ends<'_> {
         let widest =
             (0..unknowns.len()).reduce(|a, b| if sum(b) > sum(a) * (1.0 + SAME) { b } else { a });
         let Some(k) = widest.filter(|_| !widths.is_empty()) else { return };
-        let Unknown { name, ends, narrowed, .. } = &unknowns[k];
         let factor = |ratio: f64| match ratio {
             narrow @ ..2.0 => format!("a factor of {narrow:.2}"),
             wide => format!("a factor of {wide:.1}"),
         };
-        let known = match ends[0] > 0.0 {
-            true => format!("within {}", factor(ends[1] / ends[0])),
-            false => format!("from {} to {}", short(ends[0]), short(ends[1])),
-        };
-        let each = widths.iter().map(|(quantity, width)| {
-            format!("{quantity} within {}", factor(width.of_unknowns[k].exp()))
-        });
-        let each = each.collect::<Vec<_>>().join(", ");
-        sheet.result(format!(
-            "{name} is known {known}, and with it {each}; {narrowed} would narrow it"
-        ));
         let shares = widths.iter().map(|(quantity, Width { total, of_unknowns })| {
             let all: f64 = of_unknowns.iter().sum();
             let share = |(one, of): (&Unknown, &f64)| {
@@ -181,11 +169,12 @@ impl Ends<'_> {
             };
             let shares = unknowns.iter().zip(of_unknowns).filter_map(share);
             let shares = shares.collect::<Vec<_>>().join(", ");
-            format!("{quantity} {} ({shares})", factor(total.exp()))
+            format!("{quantity} within {} ({shares})", factor(total.exp()))
         });
         let shares = shares.collect::<Vec<_>>().join("; ");
+        let Unknown { name, narrowed, .. } = &unknowns[k];
         sheet.result(format!(
-            "upper over lower end, at most, and the shares of the unknowns in this: {shares}"
+            "known, with the shares of the unknowns: {shares}; {narrowed} would narrow {name}, the widest"
         ));
         let spec = &self.file.spec;
         let mut surfaces = [Some(&spec.surface), spec.counterface.as_ref()].into_iter().flatten();

@@ -8,7 +8,7 @@ use asperity::{Code, ContactError, Finding, nearest_name, positive, short};
 
 use crate::document::Document;
 use crate::error::SceneError;
-use crate::finishes::{Range, UNKNOWN, finishes};
+use crate::finishes::{Range, finishes};
 use crate::ranges::Unknown;
 use crate::roughness::Roughness;
 use crate::text_file::shorten;
@@ -178,14 +178,7 @@ impl Drawing {
 
     /// The range of a number for this finish.
     fn range(&self, what: &str) -> Found<&'static Range> {
-        let found = Range::of_finish(what, self.finish.unwrap_or(UNKNOWN));
-        found.map_or_else(|| missing("finish", format!("a finish with a known {what}")), Ok)
-    }
-
-    /// The range of the slope over the usual one for this finish and λ_s.
-    fn slopes(&self, [short_cut, _]: [f64; 2]) -> Found<(&'static Range, [f64; 2])> {
-        let found = Range::slopes(self.finish.unwrap_or(UNKNOWN), short_cut);
-        found.map_or_else(|| missing("finish", "a finish with a known slope"), Ok)
+        Range::of_finish(what, self.finish)
     }
 
     /// Rq.
@@ -236,7 +229,7 @@ impl Drawing {
                 );
             }
             _ => {
-                let (range, ends) = self.slopes(cut_offs)?;
+                let (range, ends) = Range::slopes(self.finish, cut_offs[0])?;
                 let [lower, upper] = ends.map(short);
                 let text = format!("0.125 Rq^0.402 (um) times {lower} to {upper}");
                 let ends = ends.map(|ratio| ratio * usual_slope(height.middle()));
@@ -294,7 +287,7 @@ impl Drawing {
     /// A note on the heights of a finish that are not Gaussian.
     pub(crate) fn skewed(&self) -> Option<Finding> {
         let finish = self.finish?;
-        let Range { lower, upper, .. } = Range::of_finish("skewness", finish)?;
+        let Range { lower, upper, .. } = Range::of_finish("skewness", self.finish).ok()?;
         let taken = [lower.max(-1.0), upper.min(2.0)];
         let found = Finding::note(Code::NotGaussian, "finish", 0.5 * (lower + upper));
         let fact = format!(
@@ -337,7 +330,7 @@ impl Drawing {
             }
         }
         let (slope, usual) = (across.middle(), usual_slope(height.middle()));
-        let usual_range = Range::slopes(UNKNOWN, cut_offs[0]).map(|(_, ends)| ends);
+        let usual_range = Range::slopes(None, cut_offs[0]).ok().map(|(_, ends)| ends);
         let odd = usual_range.filter(|[lower, upper]| !(lower..=upper).contains(&&(slope / usual)));
         if let Some(ends) = odd.filter(|_| self.finish != Some("polished")) {
             let [least, most] = ends.map(|ratio| short(ratio * usual));

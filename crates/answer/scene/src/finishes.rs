@@ -25,7 +25,7 @@ pub(crate) struct Range {
 }
 
 /// The key of the range where the finish is not known.
-pub(crate) const UNKNOWN: &str = "unknown";
+const UNKNOWN: &str = "unknown";
 
 static TABLE: LazyLock<Vec<Range>> = LazyLock::new(|| {
     let rows = csv::Reader::from_reader(include_str!("finishes.csv").as_bytes());
@@ -42,9 +42,17 @@ pub(crate) fn finishes() -> impl Iterator<Item = &'static str> {
 }
 
 impl Range {
-    /// The range of this number for a finish.
-    pub(crate) fn of_finish(what: &str, finish: &str) -> Option<&'static Self> {
-        ranges(what).find(|range| range.of == finish)
+    /// The range of this number for a finish, or where none is known.
+    ///
+    /// # Errors
+    /// [`ContactError::Missing`] for a finish without one.
+    pub(crate) fn of_finish(
+        what: &str,
+        finish: Option<&str>,
+    ) -> Result<&'static Self, ContactError> {
+        let found = ranges(what).find(|range| range.of == finish.unwrap_or(UNKNOWN));
+        let reason = || format!("a finish with a known {what}");
+        found.ok_or_else(|| ContactError::Missing { field: "finish", reason: reason() })
     }
 
     /// The range of this number for the ratio of the cut-offs λ_s and λ_c of the table that is
@@ -77,13 +85,19 @@ impl Range {
     /// The range of the slope over the usual one of profiles of a finish with this λ_s \[m\]: the
     /// table has that at 2.5 µm, and the range of the ratio of two slopes of which one has 3.2 times
     /// the cut-off of the other.
-    pub(crate) fn slopes(finish: &str, short_cut: f64) -> Option<(&'static Self, [f64; 2])> {
-        let (range, longer) =
-            (Self::of_finish("slope", finish)?, Self::of_finish("slope_longer", finish)?);
+    ///
+    /// # Errors
+    /// Those of [`of_finish`](Self::of_finish).
+    pub(crate) fn slopes(
+        finish: Option<&str>,
+        short_cut: f64,
+    ) -> Result<(&'static Self, [f64; 2]), ContactError> {
+        let range = Self::of_finish("slope", finish)?;
+        let longer = Self::of_finish("slope_longer", finish)?;
         let steps = (short_cut / 2.5e-6).ln() / 3.2f64.ln();
         let by = [longer.lower.powf(steps), longer.upper.powf(steps)];
         let [least, most] = [by[0].min(by[1]), by[0].max(by[1])];
-        Some((range, [range.lower * least, range.upper * most]))
+        Ok((range, [range.lower * least, range.upper * most]))
     }
 
     /// The range of a number that follows from this one, which is described by `text`.
@@ -119,7 +133,10 @@ mod tests {
         let key = crate::keys::KEYS.iter().find(|key| key.name == "finish").unwrap();
         assert_eq!(finishes().collect::<Vec<_>>().join("|"), key.form[1]);
         for what in ["rq_over_ra", "rz_over_rq", "slope", "slope_longer", "along_over_across"] {
-            assert!(finishes().all(|finish| Range::of_finish(what, finish).is_some()), "{what}");
+            assert!(
+                finishes().all(|finish| Range::of_finish(what, Some(finish)).is_ok()),
+                "{what}"
+            );
         }
         // An Ra beyond the last row has a cut-off, too.
         assert_eq!(Range::cut_offs(1e-3), Some([2.5e-5, 8e-3]));
@@ -151,7 +168,7 @@ mod tests {
                 continue;
             }
             let ratio = slope / (0.125 * rq.powf(0.402));
-            let (_, [lower, upper]) = Range::slopes(finish, 1e-6 * short).unwrap();
+            let (_, [lower, upper]) = Range::slopes(Some(finish), 1e-6 * short).unwrap();
             assert!(
                 (lower..=upper).contains(&ratio),
                 "{surface} {cut} {short}, {finish}: {ratio} of {lower} to {upper}"

@@ -1,8 +1,7 @@
 //! Numbers that are known within a range, and the scene at points of the ranges.
 
 use asperity::{
-    At, Body, Check, Code, ContactError, ContactModel, DerivedNumber, Finding, Interface, Severity,
-    short,
+    At, Check, Code, ContactError, ContactModel, DerivedNumber, Finding, Interface, Severity, short,
 };
 
 use crate::error::{Place, SceneError};
@@ -181,37 +180,31 @@ impl Bodies {
     /// body that is harder than the other in any case in the middle.
     pub(crate) fn settled(&self, take: &mut dyn FnMut(Unknown) -> f64) -> Self {
         let [from, to] = HARDNESS_OVER_YIELD;
-        let mut hardness = |name: &str, hardness: Option<f64>, strength: Option<f64>, most: f64| {
-            let strength = strength.filter(|of| hardness.is_none() && *of > 0.0)?;
-            let source = format!(
-                "{from} to {to} times the yield strength: nine of ten materials of the list"
-            );
-            let (ends, status) = ([from * strength, to * strength], "assumed");
-            let (name, narrowed) = (name.into(), "a hardness, such as \"150 HV\"");
-            let one = Unknown { name, ends, status, source, narrowed };
-            Some(if ends[0] > most { one.middle() } else { take(one) })
-        };
         let mut settled = self.clone();
+        let (mut most, mut all) = (f64::INFINITY, vec![]);
         match &mut settled {
             Self::Interface(of) => {
-                if let Some(found) =
-                    hardness("hardness", of.hardness, of.yield_strength, f64::INFINITY)
-                {
-                    of.hardness = Some(found);
-                    of.yield_strength = of.yield_strength.filter(|_| of.tangent_modulus.is_some());
-                }
+                let hardens = of.tangent_modulus.is_some();
+                all.push(("hardness", &mut of.hardness, &mut of.yield_strength, hardens));
             }
             Self::Each { bodies, .. } => {
-                let most = |of: &Body| of.hardness.or(of.yield_strength.map(|of| to * of));
-                let most = bodies.iter().filter_map(most).fold(f64::INFINITY, f64::min);
                 for (of, name) in bodies.iter_mut().zip(["body1_hardness", "body2_hardness"]) {
-                    if let Some(found) = hardness(name, of.hardness, of.yield_strength, most) {
-                        of.hardness = Some(found);
-                        of.yield_strength =
-                            of.yield_strength.filter(|_| of.tangent_modulus.is_some());
-                    }
+                    let hardness = of.hardness.or(of.yield_strength.map(|of| to * of));
+                    most = most.min(hardness.unwrap_or(most));
+                    let hardens = of.tangent_modulus.is_some();
+                    all.push((name, &mut of.hardness, &mut of.yield_strength, hardens));
                 }
             }
+        }
+        for (name, hardness, of, hardens) in all {
+            let Some(strength) = of.filter(|of| hardness.is_none() && *of > 0.0) else { continue };
+            let source =
+                format!("{from} to {to} times the yield strength, as of nine of ten materials");
+            let (name, narrowed) = (name.into(), "a hardness, such as \"150 HV\"");
+            let (ends, status) = ([from * strength, to * strength], "assumed");
+            let one = Unknown { name, ends, status, source, narrowed };
+            *hardness = Some(if ends[0] > most { one.middle() } else { take(one) });
+            *of = of.filter(|_| hardens);
         }
         settled
     }

@@ -10,6 +10,7 @@ use crate::keys::{
     BODIES, BODY, COUNTERFACE, Field, INTERFACE, KEYS, Key, MECHANICAL, OF_PAIR, SECOND,
     key_of_input,
 };
+use crate::ranges::Unknown;
 use crate::roughness::{Roughness, Way};
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
@@ -273,13 +274,16 @@ impl SceneFile {
                 self.describe(&mut spec, second, given)?;
             }
         }
-        // A number that was set, or is not written any more, has no range.
         let ranges = std::mem::take(&mut spec.ranges).into_iter();
-        let keeps = |(SceneInput(own), _): &(SceneInput, _)| {
-            !set.iter().any(|input| input.sets(own)) && own.is_written(&spec)
+        let mut made = Self::of_spec(spec)?;
+        // A number that was set, or is not that of the scene any more, has no range.
+        let bits = |value: f64| value.to_bits();
+        let keeps = |(input, one): &(SceneInput, Unknown)| {
+            let is_set = set.iter().any(|set| set.sets(&input.0));
+            !is_set && made.value_of(*input).map(bits) == Some(bits(one.middle()))
         };
-        spec.ranges = ranges.filter(keeps).collect();
-        Self::of_spec(spec)
+        made.spec.ranges = ranges.filter(keeps).collect();
+        Ok(made)
     }
 
     /// Sets numbers that describe a surface.
@@ -393,26 +397,6 @@ impl Input {
     fn sets(&self, other: &Self) -> bool {
         let is_of_all = matches!((self, other), (Self::Bodies(all), Self::Body(_, one)) if all.name == one.name);
         is_of_all || self.name() == other.name()
-    }
-
-    /// Whether a spec has this number itself.
-    fn is_written(&self, spec: &SceneSpec) -> bool {
-        match self {
-            Self::Body(k, _) => *k < spec.bodies.list().len(),
-            Self::Bodies(_) => !spec.bodies.list().is_empty(),
-            Self::Interface(field) => {
-                spec.bodies.list().is_empty() || OF_PAIR.contains(&field.name)
-            }
-            Self::Surface(second, key) => spec.one(*second).is_some_and(|one| {
-                let is_own = |one: Roughness| one.way.keys().contains(key);
-                let is_drawn = one.drawing().is_some_and(|drawing| drawing.get(key).is_some());
-                is_drawn || one.roughness().is_some_and(is_own)
-            }),
-            Self::Scene((_, get, _)) => get(spec).is_some(),
-            Self::Skewness => {
-                matches!(spec.heights.distribution, HeightDistribution::Weibull(_))
-            }
-        }
     }
 
     /// Whether a number has no meaning beside another one.

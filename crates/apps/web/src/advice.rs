@@ -5,7 +5,7 @@ use asperity::{
     usual_reference,
 };
 use asperity_answer::{Cell, Recommend, Sheet, unranked};
-use asperity_scene::{SceneFile, Unknown};
+use asperity_scene::SceneFile;
 use serde_json::{Value, json};
 
 use crate::answer::{Column, Known, Row, Source, quantities};
@@ -61,22 +61,10 @@ impl Best {
         let unknowns = file.unknowns();
         match corrected {
             _ if !unknowns.is_empty() => {
-                let known = |one: &Unknown| {
-                    format!(
-                        "{} within a factor of {:.1}",
-                        term(&one.name),
-                        one.ends[1] / one.ends[0]
-                    )
-                };
-                let known = unknowns.iter().map(known).collect::<Vec<_>>().join(", ");
-                let mut narrowed: Vec<&str> = unknowns.iter().map(|one| one.narrowed).collect();
-                narrowed.sort_unstable();
-                narrowed.dedup();
-                best.basis = symbols(&format!(
-                    "Ranges by {}, of {known}; narrowed by {}.",
-                    best.model,
-                    narrowed.join("; ")
-                ));
+                let names =
+                    unknowns.iter().map(|one| term(&one.name)).collect::<Vec<_>>().join(", ");
+                best.basis =
+                    symbols(&format!("Ranges by {}, for the ranges of {names}.", best.model));
             }
             Ok(row) => best.take_evidence(file, &row),
             Err(reason) => {
