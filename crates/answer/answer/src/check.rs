@@ -13,7 +13,7 @@ pub fn check_sheet(checked: Check) -> Sheet {
     let mut sheet = Sheet::default();
     sheet.under(&[&["name", "value"], ends, &["unit", "meaning"]]);
     sheet.rows.extend(checked.numbers.iter().map(|number| {
-        let mut row = vec![number.name.into(), Cell::Number(number.value)];
+        let mut row = vec![(&*number.name).into(), Cell::Number(number.value)];
         let end = |k: usize| Cell::from(number.ends.map(|ends| ends[k]));
         row.extend((0..ends.len()).map(end));
         row.extend([number.unit.into(), (*number.meaning).into()]);

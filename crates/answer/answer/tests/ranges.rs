@@ -65,11 +65,13 @@ fn widths_are_those_of_closed_forms() {
         let [elastic, yielding_2, yielding_7, stiffness, conductance] = row[5..] else {
             panic!("{line}")
         };
-        let file = finished(finish, ra, 2e9);
+        // Slopes of profiles with the cut-off of the table.
+        let cut_offs = "lambda_s = 2.5e-6\nlambda_c = 8e-4";
+        let file = two_faces(&format!("ra = {ra}e-6\nfinish = \"{finish}\"\n{cut_offs}"), 2e9);
         // Persson's area at a light load is 2 p/(E g) up to a factor, and needs no bandwidth.
         let (found, _) = ends(&file, "persson", Quantity::AreaFraction);
         assert!((width(found) / elastic - 1.0).abs() < 0.02, "{line}: {found:?}");
-        let keys = format!("ra = {ra}e-6\nfinish = \"{finish}\"\nbandwidth = 10");
+        let keys = format!("ra = {ra}e-6\nfinish = \"{finish}\"\nbandwidth = 10\n{cut_offs}");
         // Of a known bandwidth; additive areas overestimate the width where yielding begins.
         for (hardness, wanted) in [(2e9, yielding_2), (7e9, yielding_7)] {
             let (found, _) = ends(&two_faces(&keys, hardness), "ke", Quantity::AreaFraction);
@@ -134,20 +136,122 @@ fn columns_of_ends_depend_on_what_is_asked_and_not_on_the_numbers() {
 fn the_results_name_the_widest_unknown_and_the_shares() {
     let (_, sheet) = ends(&finished("ground", 0.8, 2e9), "persson", Quantity::Area);
     let texts = &sheet.results;
-    for part in ["area 4.7 (rq 4 %, mean_slope 96 %, ", "area within 4.4; rdq, "] {
+    for part in [
+        "area within a factor of 4.7 (rq 2 %, mean_slope 48 %, counterface_rq 2 %, ",
+        "; rdq, rz with rsm, or a scan would narrow mean_slope",
+    ] {
         assert!(texts.iter().any(|text| text.contains(part)), "{texts:?}");
     }
     // What is given already does not narrow the slope.
     for (keys, narrowed) in [
-        ("ra = 1e-6\nrz = 6e-6\nrsm = 1e-4", "; rdq or a scan"),
-        ("rq = 1e-6\nrdq = 0.1\nfinish = \"ground\"", "within 1.16; a scan"),
+        ("ra = 1e-6\nrz = 6e-6\nrsm = 1e-4", "; rdq or a scan would narrow mean_slope"),
+        ("rq = 1e-6\nrdq = 0.1\nfinish = \"ground\"", "; a scan would narrow mean_slope"),
     ] {
         let (_, sheet) = ends(&two_faces(keys, 2e9), "persson", Quantity::Area);
         let texts = &sheet.results;
-        let of_slope = |text: &&String| text.starts_with("mean_slope is unknown");
-        let text = texts.iter().find(of_slope).unwrap_or_else(|| panic!("{texts:?}"));
-        assert!(text.contains(narrowed), "{text}");
+        assert!(texts.iter().any(|text| text.contains(narrowed)), "{texts:?}");
     }
     let (_, sheet) = ends(&finished("ground", 0.8, 2e9), "gw", Quantity::Tangent);
     assert!(sheet.findings.iter().any(|found| found.code == "waviness"));
+}
+
+/// Of two like surfaces either may be the rougher one.
+#[test]
+fn the_shear_flow_factor_of_two_like_surfaces_has_either_sign() {
+    let thick = At::from(Separation::film_ratio(1.5));
+    let file = finished("ground", 0.8, 2e9);
+    let ([middle, lower, upper], _) = ends_at(&file, "ke", Quantity::ShearFlowFactor, thick);
+    assert!(middle.abs() < 1e-12 && (lower + upper).abs() < 1e-9, "{middle} {lower} {upper}");
+    assert!((0.12..0.14).contains(&upper), "{upper}");
+}
+
+/// Numbers drawn at random from the ranges lie between the ends.
+#[test]
+fn draws_from_the_ranges_lie_between_the_ends() {
+    use Quantity::{Area, Contacts, Force, Tangent, ThermalConductancePerArea};
+    let steel = "youngs_modulus = 2.1e11\npoissons_ratio = [0.28, 0.3]\nhardness = [1.8e9, 2.6e9]\nthermal_conductivity = [40, 50]\n";
+    let body = steel.replace("[1.8e9, 2.6e9]", "[2e9, 4e9]");
+    let head = format!("nominal_area = 1e-4\n[[body]]\n{steel}[[body]]\n{body}[surface]\n");
+    let alike = "ra = [\"0.4 um\", \"0.8 um\"]\nfinish = \"ground\"\ncounterface = { ra = 1.6e-6, finish = \"turned\" }";
+    let hard = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
+        poissons_ratio = 0.3\nhardness = 7e9\nthermal_conductivity = 50\n[surface]\n\
+        ra = 8e-7\nfinish = \"unknown\"\n";
+    let moments = "m0 = [1e-13, 1e-12]\nm2 = [1e-3, 4e-3]\nm4 = [1e9, 1e10]";
+    let loads = [At::Pressure(1e6), At::Pressure(1e8)];
+    let planes = [-1.1e-6, 7e-7, 3e-6].map(|metres| At::from(Separation::metres(metres)));
+    let at_loads = [Area, Tangent, Contacts, ThermalConductancePerArea];
+    let at_planes = [Force, Area, Tangent, ThermalConductancePerArea];
+    let draws = if std::env::var_os("ASPERITY_LONG").is_some() { 1000 } else { 40 };
+    let mut state = 1_u64;
+    let mut share = || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    for (surface, places, quantities) in [
+        ("ra = 8e-7\nfinish = \"ground\"", &loads[..], &at_loads),
+        ("ra = 8e-7\nfinish = \"ground\"", &planes, &at_planes),
+        (moments, &loads, &at_loads),
+        (moments, &planes, &at_planes),
+        (alike, &loads, &at_loads),
+        (alike, &planes, &at_planes),
+        ("", &planes, &at_planes),
+    ] {
+        let text = if surface.is_empty() { hard.into() } else { format!("{head}{surface}\n") };
+        let file = parse(&text, Path::new(".")).unwrap();
+        let unknowns = file.unknowns().len();
+        let points = file.points().unwrap();
+        let corners = points.corners().count();
+        for id in ["gw", "ceb", "ke", "jg", "zmc", "persson", "cmy"] {
+            let request = |quantities: &[Quantity]| {
+                Request::new(quantities.iter().copied()).at(places.iter().copied())
+            };
+            let model = points.middle.model(id).unwrap();
+            let has = |one: &&Quantity| {
+                let found = model.solve(&file.scene, &request(&[**one]));
+                found.is_ok_and(|found| found.values(**one).is_ok())
+            };
+            let had: Vec<Quantity> = quantities.iter().filter(has).copied().collect();
+            let of = |file: &SceneFile| -> Vec<Vec<f64>> {
+                let model = file.model(id).unwrap();
+                let found = model.solve(&file.scene, &request(&had)).unwrap();
+                had.iter().map(|one| found.values(*one).unwrap()).collect()
+            };
+            let all: Vec<_> = points.all.iter().chain([&points.middle]).map(of).collect();
+            if id == "jg" && surface.is_empty() {
+                // The stiffness close to the planes is largest well inside the ranges.
+                let tangents =
+                    |all: &[Vec<Vec<f64>>]| all.iter().map(|one| one[2][0]).fold(0.0, f64::max);
+                assert!(tangents(&all) > 1.3 * tangents(&all[..corners]));
+            }
+            let (mut outside, mut compared) = (0, 0);
+            for _ in 0..draws {
+                let shares: Vec<f64> = (0..unknowns).map(|_| share()).collect();
+                let drawn = of(&file.at(&shares).unwrap());
+                for (k, values) in drawn.iter().enumerate() {
+                    for (row, value) in values.iter().enumerate() {
+                        let known = all.iter().map(|one| one[k][row]);
+                        let least = known.clone().fold(f64::INFINITY, f64::min);
+                        let most = known.fold(0.0, f64::max);
+                        outside += usize::from(*value > 1.01 * most || *value < least / 1.01);
+                        compared += 1;
+                    }
+                }
+            }
+            assert!(outside * 100 <= compared, "{id} {outside} of {compared} {surface}");
+        }
+    }
+}
+
+/// An area above the nominal one at an end is named with that end.
+#[test]
+fn a_finding_at_an_end_names_it() {
+    let soft = finished("ground", 0.8, 2e9).to_toml(&[]).unwrap();
+    let soft = soft.replace("hardness = 2e9", "hardness = [2e6, 2e9]");
+    let (_, sheet) = ends(&parse(&soft, Path::new(".")).unwrap(), "ke", Quantity::AreaFraction);
+    let found = sheet.findings.iter().find(|found| {
+        let origin = found.origin.as_deref().unwrap_or_default();
+        origin.starts_with("at the lower end of hardness")
+    });
+    assert!(found.is_some(), "{:?}", sheet.findings);
 }

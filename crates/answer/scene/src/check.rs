@@ -6,7 +6,7 @@ use std::sync::Arc;
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     Advice, At, Check, Code, Contact, ContactError, ContactModel, Finding, Findings,
-    HARDNESS_OVER_YIELD, HeightDistribution, Plausible, ProfileMoments, plain_findings, short,
+    HeightDistribution, Plausible, ProfileMoments, plain_findings, short,
 };
 use asperity_topography::Statistics;
 
@@ -19,9 +19,6 @@ use crate::origin::Provenance;
 use crate::scene_file::SceneFile;
 use crate::spec::Description;
 
-/// The yield strength over the modulus below which a metal counts as soft: in the list of materials
-/// annealed and hot-rolled steels, copper and nickel lie below, cold-drawn and tempered ones above.
-const ANNEALED: f64 = 0.0015;
 /// The range of the skewness of nearly Gaussian heights.
 const SKEWNESS: [f64; 2] = [-0.8, 0.8];
 
@@ -68,8 +65,6 @@ impl SceneFile {
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let of_pair = self.missing_hardness().into_iter().chain(self.equally_hard());
-        let of_pair = of_pair.chain(self.hardness_by_yield());
-        let of_pair = of_pair.chain(self.smooth_counterface());
         let found = of_interface.into_iter().chain(self.of_bodies()).chain(of_pair);
         let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
         let found = self.accepted(found).into_iter();
@@ -156,7 +151,7 @@ impl SceneFile {
     /// # Errors
     /// Those of [`Check::at`].
     pub fn check(&self, place: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
-        if !self.spreads().is_empty() {
+        if !self.unknowns().is_empty() {
             return self.check_ranges(place);
         }
         let mut check = match place {
@@ -238,28 +233,6 @@ impl SceneFile {
             .advice(advice);
         // No warning for rubber on glass.
         (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
-    }
-
-    /// A note on the softer body where its hardness follows from the yield strength of a metal that
-    /// hardens.
-    fn hardness_by_yield(&self) -> Option<Finding> {
-        let limit = self.scene.interface.softer_hardness()?;
-        let is_softer = |body: &&asperity::Body| {
-            let strength = body.yield_strength.filter(|_| body.hardness.is_none());
-            strength.is_some_and(|strength| {
-                let hardness = HARDNESS_OVER_YIELD * strength;
-                hardness <= limit * (1.0 + 1e-9) && strength < ANNEALED * body.youngs_modulus
-            })
-        };
-        let softer = self.bodies().iter().find(is_softer)?;
-        let fact = format!(
-            "the hardness of {} Pa is {HARDNESS_OVER_YIELD} times the yield strength",
-            short(limit)
-        );
-        let advice =
-            "soft metals harden as they yield: give the measured hardness, such as \"150 HV\"";
-        let found = Finding::note(Code::HardnessByYield, "yield_strength", softer.yield_strength?);
-        Some(found.unit("Pa").fact(fact).advice(advice))
     }
 
     /// A warning of which of two equally hard bodies is taken to yield, where it matters.

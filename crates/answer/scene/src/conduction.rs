@@ -57,7 +57,7 @@ mod tests {
         assert!(
             found("copper-hot-rolled", electrical)[0]
                 .1
-                .contains("3.6 times less (brass-c26000-hard)")
+                .contains("3.6 times less (brass-cuzn39pb3)")
         );
         assert!(found("aluminium", Quantity::Tangent).is_empty());
         for quiet in ["aluminium-6061-t6", "stainless-316", "inconel-718", "grey-iron-class-30"] {

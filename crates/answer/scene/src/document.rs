@@ -13,10 +13,11 @@ use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Table, Value};
 
 use crate::error::{Place, SceneError};
-use crate::keys::{COUNTERFACE, Field, Key, joined, keys_of, section_and_name};
+use crate::keys::{COUNTERFACE, Field, Key, Subject, joined, keys_of, section_and_name};
 use crate::likely::number_hint;
 use crate::origin::Provenance;
 use crate::quantity::{converted, in_si};
+use crate::ranges::Unknown;
 use crate::text_file::shorten;
 
 /// Files that a scene may name, by name: their bytes.
@@ -42,6 +43,9 @@ pub(crate) struct Document<'a> {
     ends: Vec<usize>,
     /// The values, with numbers in SI units instead of those with units.
     pub(crate) table: Table,
+    /// The keys of numbers that were written as two values, the ends of a range, with these; the
+    /// middle stands in their place.
+    pub(crate) ranges: Vec<(String, [f64; 2])>,
     /// Where each key was written.
     pub(crate) origin: Provenance,
     /// Every key with the range of its value in the text.
@@ -57,8 +61,8 @@ impl<'a> Document<'a> {
     ) -> Result<Self, SceneError> {
         let origin = Provenance { file: file.map(Path::to_path_buf), ..Provenance::default() };
         let ends = text.match_indices('\n').map(|(end, _)| end).collect();
-        let (table, values) = (Table::new(), BTreeMap::new());
-        let mut document = Self { files, text, ends, table, origin, values };
+        let (table, ranges, values) = (Table::new(), vec![], BTreeMap::new());
+        let mut document = Self { files, text, ends, table, ranges, origin, values };
         let root = DeTable::parse(text).map_err(|error| document.toml_error(&error))?;
         document.keep_place("", 0, root.span());
         document.table = document.read_table(root.get_ref(), "")?;
@@ -113,10 +117,32 @@ impl<'a> Document<'a> {
                     self.keep_place(&item_path, item.span().start, item.span());
                     self.read_value(item.get_ref(), &item_path)
                 };
-                Value::Array(items.iter().zip(1..).map(item).collect::<Result<_, _>>()?)
+                let items = items.iter().zip(1..).map(item).collect::<Result<Vec<_>, _>>()?;
+                self.range(path, &items).unwrap_or(Value::Array(items))
             }
             DeValue::Table(inner) => Value::Table(self.read_table(inner, path)?),
         })
+    }
+
+    /// The middle of the range of a number that is written as two values; keeps the ends.
+    fn range(&mut self, path: &str, items: &[Value]) -> Option<Value> {
+        let (section, name) = section_and_name(path);
+        let number = |item: &Value| item.as_float().or_else(|| item.clone().try_into().ok());
+        let is_listed = |key: &Key| matches!(key.subject, Subject::Scan | Subject::Options);
+        let is_number = Key::find(section, name).is_some_and(|key| !is_listed(key));
+        let [one, other] = items else { return None };
+        let [one, other] = [number(one)?, number(other)?];
+        if !is_number && name != "skewness" {
+            return None;
+        }
+        // One that is no number stays, to be refused.
+        let ends = if one <= other { [one, other] } else { [other, one] };
+        if self.origin.is_stated(&format!("{path}[1]")) {
+            self.origin.stated.push(path.into());
+        }
+        let middle = Unknown::written(String::new(), ends).middle();
+        self.ranges.extend((ends[0] < ends[1]).then(|| (path.to_string(), ends)));
+        Some(Value::Float(middle))
     }
 
     /// The value of a key.
@@ -207,7 +233,9 @@ impl<'a> Document<'a> {
 
     /// Refuses unknown keys everywhere but in the options.
     pub(crate) fn check_sections(&self) -> Result<(), SceneError> {
-        for section in ["", "surface", COUNTERFACE, "interface", "curvature", "gap"] {
+        let is_word = self.value(COUNTERFACE).is_some_and(Value::is_str);
+        let sections = ["", "surface", COUNTERFACE, "interface", "curvature", "gap"].into_iter();
+        for section in sections.filter(|section| !is_word || *section != COUNTERFACE) {
             self.check_keys(section, &keys_of(section))?;
         }
         let bodies = self.table.get("body").and_then(Value::as_array).map_or(0, Vec::len);

@@ -112,9 +112,10 @@ impl SceneFile {
     /// strength from the hardness.
     fn derived(&self, name: &str) -> Option<f64> {
         let key = key_of_input(name);
+        let settled = self.spec.bodies.settled(&mut |one| one.middle());
         let body = match name.strip_suffix(key) {
-            Some("body1_") => self.bodies().first(),
-            Some("body2_") => self.bodies().get(1),
+            Some("body1_") => settled.list().first(),
+            Some("body2_") => settled.list().get(1),
             _ => None,
         };
         let mut scene = self.scene.clone();

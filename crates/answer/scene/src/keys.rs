@@ -125,7 +125,7 @@ keys! {
             form "Young's modulus E" "210 GPa" symbol "E")
         poissons_ratio("" "above -1, at most 0.5" also "nu poisson_ratio poisson" ""
             form "Poisson's ratio ν" "0.3" symbol "ν")
-        hardness("Pa" "; 2.8 times the yield strength if missing; elastic models need neither"
+        hardness("Pa" "; within 3.3 to 7.8 times the yield strength if missing; elastic models need neither"
             also "h vickers brinell" "" form "Hardness H" "2 GPa" symbol "H")
         yield_strength("Pa" "; instead of the hardness, or beside it"
             also "yield_stress yield sy rp02" "" form "Yield strength" "700 MPa" symbol "yield")

@@ -44,7 +44,6 @@ mod spec;
 mod surface;
 mod template;
 mod text_file;
-mod unknowns;
 mod vary;
 mod write;
 
@@ -67,7 +66,7 @@ pub use models::LeftOut;
 pub use options::ModelOptions;
 pub use origin::Provenance;
 pub use quantity::{NO_LOAD, column_of, converted, quantity, quantity_of, unit_of};
-pub use ranges::Unknown;
+pub use ranges::{Points, Unknown};
 pub use read::{load, load_scan, parse, parse_handed};
 pub use roughness::{Roughness, Way};
 pub use scene_file::SceneFile;
@@ -77,5 +76,4 @@ pub use template::{template, template_on};
 pub use toml::Table as Keys;
 /// The value of an option.
 pub use toml::Value as OptionValue;
-pub use unknowns::{AT_AN_END, worst_at_ends};
 pub use vary::SceneInput;

@@ -36,7 +36,6 @@ impl SceneFile {
     /// # Errors
     /// Those of [`model`](Self::model).
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
-        self.need_known()?;
         match id.trim().to_lowercase().as_str() {
             Bem::ID => Ok(Model::new(self.pressed(options.bem())?)),
             _ => {
@@ -110,8 +109,7 @@ impl SceneFile {
     /// Why the scene does not allow a model, if it does not: a missing input, for example.
     #[must_use]
     pub fn refusal(&self, model: &Model) -> Option<ContactError> {
-        let no_asperities = self.no_asperities_for(model);
-        if let Some(reason) = self.open_reason().or(no_asperities) {
+        if let Some(reason) = self.no_asperities_for(model) {
             return Some(ContactError::Refused { model: model.id().into(), reason });
         }
         model.compile(&self.scene, &Request::new([Quantity::Force])).err()
@@ -152,6 +150,11 @@ impl SceneFile {
 
     /// Why models of pairs do not know each of its two surfaces.
     fn no_pair(&self) -> Option<&'static str> {
+        if self.spec.is_smooth {
+            return Some(
+                "counterface = \"smooth\" leaves one rough surface, and models of pairs press two",
+            );
+        }
         let unknown = self.spec.counterface.is_some() && self.scene.pair.is_none();
         unknown.then_some(match self.spec.pressed {
             Some(_) => "models of pairs need two independent surfaces, not aligned scans",
@@ -172,7 +175,7 @@ impl SceneFile {
                 continue;
             }
             let model = self.model(other.id()).unwrap_or(other);
-            let refuses = self.no_asperities().is_some() || !self.spreads().is_empty();
+            let refuses = self.no_asperities().is_some();
             let refused = self.refusal(&model).filter(|_| refuses);
             match refused.or_else(|| model.compile(&self.scene, &request).err()) {
                 None => models.push(model),

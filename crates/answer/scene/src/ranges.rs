@@ -1,21 +1,36 @@
-//! Rough surfaces whose numbers are known within ranges.
+//! Numbers that are known within a range, and the scene at points of the ranges.
 
-use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
+use asperity::{
+    At, Check, Code, ContactError, ContactModel, DerivedNumber, Finding, Interface, Severity, short,
+};
 
-use asperity::ProfileMoments;
+use crate::error::{Place, SceneError};
+use crate::keys::{SECOND, key_of_input};
+use crate::materials::HARDNESS_OVER_YIELD;
+use crate::quantity::unit_of;
+use crate::roughness::Roughness;
+use crate::scene_file::SceneFile;
+use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
 
-/// The names of the unknowns of a surface.
-pub(crate) const NAMES: [&str; 3] = ["rq", "mean_slope", "bandwidth"];
+/// Relative difference of numbers that are the same but for their errors.
+const SAME: f64 = 1e-9;
+/// The number of unknowns up to which every combination of ends is taken.
+const FULL: usize = 7;
+/// The number of points inside the ranges.
+const INSIDE: usize = 64;
+/// Of a Halton sequence every 409th point is taken: neighbours of large bases are alike.
+const LEAP: usize = 409;
 
-/// A number of a surface that is known within a range.
+/// A number of a scene that is known within a range: written as two values, or supplied by a
+/// finish or by a yield strength without a hardness.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Unknown {
-    /// `rq` \[m\], `mean_slope` (of the isotropic surface with the same rms gradient) or
-    /// `bandwidth`.
-    pub name: &'static str,
-    /// Lower end, geometric mean and upper end.
-    pub range: [f64; 3],
+    /// Its name, as that of an [input](SceneFile::inputs): `body1_hardness`, `counterface_rq`. The
+    /// `mean_slope` of a finish is that of the isotropic surface with the same rms gradient.
+    pub name: String,
+    /// Lower and upper end, in SI units.
+    pub ends: [f64; 2],
     /// What the range rests on: `given`, `formula`, `scan` or `assumed`.
     pub status: &'static str,
     /// Where the range comes from.
@@ -25,52 +40,333 @@ pub struct Unknown {
 }
 
 impl Unknown {
-    pub(crate) fn new(
-        name: &'static str,
-        [lower, upper]: [f64; 2],
-        status: &'static str,
-        source: String,
-        narrowed: &'static str,
-    ) -> Self {
-        Self { name, range: [lower, (lower * upper).sqrt(), upper], status, source, narrowed }
+    /// A range of one number, which is known.
+    pub(crate) fn given(name: &str, value: f64, source: &str) -> Self {
+        // Only the lay of a finish opens a given slope again.
+        let (name, source, narrowed) = (name.into(), source.into(), "a scan");
+        Self { name, ends: [value; 2], status: "given", source, narrowed }
     }
 
-    pub(crate) fn given(name: &'static str, value: f64, source: &str) -> Self {
-        // Only the lay of a finish opens a given slope again.
-        let given = Self::new(name, [value; 2], "given", source.into(), "a scan");
-        Self { range: [value; 3], ..given }
+    /// A range that was written.
+    pub(crate) fn written(name: String, ends: [f64; 2]) -> Self {
+        let source = "two values in the scene".into();
+        Self { name, ends, status: "given", source, narrowed: "one value" }
     }
 
     pub(crate) fn is_open(&self) -> bool {
-        self.range[0] < self.range[2]
+        self.ends[0] < self.ends[1]
+    }
+
+    /// The number at a share of the range, 0 at its lower end and 1 at its upper one; the middle is
+    /// the geometric mean of two positive ends, or else the arithmetic one.
+    #[must_use]
+    pub fn at(&self, share: f64) -> f64 {
+        match self.ends {
+            [lower, _] if !self.is_open() => lower,
+            [lower, upper] if lower > 0.0 => lower.powf(1.0 - share) * upper.powf(share),
+            [lower, upper] => lower * (1.0 - share) + upper * share,
+        }
+    }
+
+    /// The number in the middle of the range.
+    #[must_use]
+    pub fn middle(&self) -> f64 {
+        self.at(0.5)
     }
 }
 
-/// Where each unknown of a surface is taken: 0 at its lower end, 1 in the middle, 2 at its upper
-/// end.
-pub(crate) type Corner = [usize; 3];
-pub(crate) const MIDDLE: Corner = [1; 3];
-
-/// One rough surface with its unknowns in the order of [`NAMES`].
+/// A scene in the middle of its ranges and at points of them: first at combinations of their ends,
+/// then at 64 fixed points inside (a Halton sequence).
+///
+/// Up to seven unknowns all combinations of ends are taken. Of more there are 128, in which any
+/// three unknowns have all combinations of their ends equally often: the end beyond the seventh is
+/// the parity of three or more of the first seven.
 #[derive(Debug, Clone)]
-pub(crate) struct Face {
-    pub(crate) unknowns: [Unknown; 3],
-    /// The slope varies with this power of Rq over its middle; 0 if it does not follow from Rq.
-    pub(crate) slope_power: f64,
+pub struct Points {
+    /// The scene in the middle of the ranges.
+    pub middle: SceneFile,
+    /// The scenes at the points; none where every number is known.
+    pub all: Vec<SceneFile>,
+    /// The numbers with a range.
+    pub unknowns: Vec<Unknown>,
+    /// For each point the share of each range.
+    shares: Vec<Vec<f64>>,
 }
 
-impl Face {
-    /// A surface whose moments are known.
-    pub(crate) fn known(moments: &ProfileMoments) -> Self {
-        let values = [moments.m0.sqrt(), (FRAC_2_PI * moments.m2).sqrt(), moments.bandwidth()];
-        let given = |k: usize| Unknown::given(NAMES[k], values[k], "the numbers of the surface");
-        Self { unknowns: [0, 1, 2].map(given), slope_power: 0.0 }
+impl Points {
+    /// The warnings at points with codes that are not `known` in the middle, each with the number of
+    /// its point: one of each code, with the largest excess over its usual range, and where it is.
+    pub fn worst<'f>(
+        &self,
+        known: &[Finding],
+        at_points: impl Iterator<Item = (usize, &'f Finding)>,
+    ) -> Vec<Finding> {
+        let mut new: Vec<(usize, &Finding)> = vec![];
+        let is_new = |found: &Finding| known.iter().all(|known| known.code != found.code);
+        for (k, found) in at_points.filter(|(_, one)| one.severity < Severity::Note && is_new(one))
+        {
+            match new.iter_mut().find(|(_, known)| known.code == found.code) {
+                Some(known) if found.excess() > known.1.excess() => *known = (k, found),
+                Some(_) => {}
+                None => new.push((k, found)),
+            }
+        }
+        new.into_iter().map(|(k, found)| found.clone().from_origin(self.place(k))).collect()
     }
 
-    pub(crate) fn moments(&self, at: Corner) -> ProfileMoments {
-        let [rq, slope, bandwidth] = [0, 1, 2].map(|k| self.unknowns[k].range[at[k]]);
-        let slope = slope * (rq / self.unknowns[0].range[1]).powf(self.slope_power);
-        let (m0, m2) = (rq * rq, FRAC_PI_2 * slope * slope);
-        ProfileMoments { m0, m2, m4: bandwidth * m2 * (m2 / m0) }
+    /// Where a point is: the numbers at their lower ends, and those at their upper ones.
+    fn place(&self, k: usize) -> String {
+        let Some(uppers) = self.corners().nth(k) else { return "within the ranges".into() };
+        let of = |is_upper: bool| {
+            let names = self.unknowns.iter().zip(&uppers).filter(|(_, upper)| **upper == is_upper);
+            names.map(|(one, _)| &*one.name).collect::<Vec<_>>().join(", ")
+        };
+        let ends = [("lower", of(false)), ("upper", of(true))];
+        let ends = ends.into_iter().filter(|(_, names)| !names.is_empty());
+        let ends = ends.map(|(end, names)| format!("{end} end of {names}"));
+        format!("at the {}", ends.collect::<Vec<_>>().join(" and the "))
+    }
+
+    /// For each combination of ends whether each unknown is at its upper end.
+    pub fn corners(&self) -> impl Iterator<Item = Vec<bool>> {
+        let corners = self.shares.len().saturating_sub(INSIDE);
+        self.shares[..corners].iter().map(|all| all.iter().map(|share| *share > 0.5).collect())
+    }
+
+    /// The ratio of a positive number between the ends of each unknown, as a logarithm, by its
+    /// logarithms at the points: the mean over all combinations of the other ends.
+    #[must_use]
+    pub fn effects(&self, logs: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; self.unknowns.len()];
+        for (uppers, log) in self.corners().zip(logs) {
+            for (sum, is_upper) in sums.iter_mut().zip(uppers) {
+                *sum += if is_upper { *log } else { -log };
+            }
+        }
+        let corners = self.corners().count() as f64;
+        sums.into_iter().map(|sum| (2.0 * sum / corners).abs()).collect()
+    }
+}
+
+/// The shares of the ranges of some unknowns at each point.
+fn shares(unknowns: usize) -> Vec<Vec<f64>> {
+    let full = unknowns.min(FULL);
+    let is_parity = |mask: &usize| mask.count_ones() > 1 && mask.count_ones() % 2 == 1;
+    let own = (0..full).map(|unknown| 1 << unknown);
+    let masks: Vec<usize> =
+        own.chain((0..1 << full).filter(is_parity)).cycle().take(unknowns).collect();
+    let corner =
+        |k: usize| masks.iter().map(|mask| f64::from((k & mask).count_ones() % 2)).collect();
+    let bases = (2..).filter(|base| (2..*base).all(|divisor| base % divisor != 0));
+    let bases: Vec<usize> = bases.take(unknowns).collect();
+    let inside = |k: usize| bases.iter().map(|base| reversed(k * LEAP, *base)).collect();
+    (0..1 << full).map(corner).chain((1..=INSIDE).map(inside)).collect()
+}
+
+/// The digits of a number, reversed behind the point.
+fn reversed(mut number: usize, base: usize) -> f64 {
+    let (mut share, mut place) = (0.0, 1.0);
+    while number > 0 {
+        place /= base as f64;
+        share += place * (number % base) as f64;
+        number /= base;
+    }
+    share
+}
+
+impl Bodies {
+    /// The bodies with each hardness that follows from a yield strength alone taken where `take`
+    /// says, in the place of that strength unless hardening is described by a tangent modulus; of a
+    /// body that is harder than the other in any case in the middle.
+    pub(crate) fn settled(&self, take: &mut dyn FnMut(Unknown) -> f64) -> Self {
+        let [from, to] = HARDNESS_OVER_YIELD;
+        let mut settled = self.clone();
+        let (mut most, mut all) = (f64::INFINITY, vec![]);
+        match &mut settled {
+            Self::Interface(of) => {
+                let hardens = of.tangent_modulus.is_some();
+                all.push(("hardness", &mut of.hardness, &mut of.yield_strength, hardens));
+            }
+            Self::Each { bodies, .. } => {
+                for (of, name) in bodies.iter_mut().zip(["body1_hardness", "body2_hardness"]) {
+                    let hardness = of.hardness.or(of.yield_strength.map(|of| to * of));
+                    most = most.min(hardness.unwrap_or(most));
+                    let hardens = of.tangent_modulus.is_some();
+                    all.push((name, &mut of.hardness, &mut of.yield_strength, hardens));
+                }
+            }
+        }
+        for (name, hardness, of, hardens) in all {
+            let Some(strength) = of.filter(|of| hardness.is_none() && *of > 0.0) else { continue };
+            let source =
+                format!("{from} to {to} times the yield strength, as of nine of ten materials");
+            let (name, narrowed) = (name.into(), "a hardness, such as \"150 HV\"");
+            let (ends, status) = ([from * strength, to * strength], "assumed");
+            let one = Unknown { name, ends, status, source, narrowed };
+            *hardness = Some(if ends[0] > most { one.middle() } else { take(one) });
+            *of = of.filter(|_| hardens);
+        }
+        settled
+    }
+
+    /// The properties of both together, with each hardness in the middle of its range.
+    pub(crate) fn middle(&self) -> Result<Interface, ContactError> {
+        self.settled(&mut |one| one.middle()).interface()
+    }
+}
+
+impl SceneSpec {
+    /// What was written, with the numbers that follow within ranges from others taken where `take`
+    /// says.
+    fn settled(&self, take: &mut dyn FnMut(Unknown) -> f64) -> Result<Self, ContactError> {
+        let mut settled = Self { bodies: self.bodies.settled(take), ..self.clone() };
+        for second in [false, true] {
+            let drawing = self.one(second).and_then(SurfaceSpec::drawing);
+            let Some(drawing) = drawing.filter(|drawing| drawing.is_open()) else { continue };
+            let mut number = |mut one: Unknown| {
+                if second {
+                    one.name.insert_str(0, SECOND);
+                }
+                if one.is_open() { take(one) } else { one.ends[0] }
+            };
+            let [height, ..] = drawing.unknowns()?;
+            let rq = number(height);
+            let [_, slope, bandwidth] = drawing.with_rq(rq)?.unknowns()?;
+            let numbers = [rq, number(slope), number(bandwidth)];
+            if let Some(one) = settled.surface_mut(second) {
+                one.by = Description::Numbers(Roughness::of_profile(numbers));
+            }
+        }
+        Ok(settled)
+    }
+}
+
+impl SceneFile {
+    /// The numbers that are known within a range, each of its own: those written, then those of
+    /// yield strengths and finishes.
+    #[must_use]
+    pub fn unknowns(&self) -> Vec<Unknown> {
+        let mut all: Vec<Unknown> = self.spec.ranges.iter().map(|(_, one)| one.clone()).collect();
+        // A refusal is that of the scene.
+        let _ = self.spec.settled(&mut |one| {
+            let middle = one.middle();
+            all.push(one);
+            middle
+        });
+        all
+    }
+
+    /// The scene with its unknowns at these shares of their ranges; it has no unknowns.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field that is out of range.
+    pub fn at(&self, shares: &[f64]) -> Result<Self, ContactError> {
+        let mut shares = shares.iter().copied();
+        let written = self.spec.ranges.iter();
+        let written: Vec<_> =
+            written.zip(shares.by_ref()).map(|((input, one), at)| (*input, one.at(at))).collect();
+        let edited = if written.is_empty() { self } else { &self.with_inputs(written)? };
+        let mut take = |one: Unknown| one.at(shares.next().unwrap_or(0.5));
+        let made = Self::of_spec(edited.spec.settled(&mut take)?)?;
+        Ok(Self { warnings: self.warnings.clone(), origin: self.origin.clone(), ..made })
+    }
+
+    /// The scene in the middle of its ranges and at points of them.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the field that is out of range.
+    pub fn points(&self) -> Result<Points, ContactError> {
+        let unknowns = self.unknowns();
+        let shares = if unknowns.is_empty() { vec![] } else { shares(unknowns.len()) };
+        let all = shares.iter().map(|shares| self.at(shares)).collect::<Result<_, _>>()?;
+        Ok(Points { middle: self.middle()?, all, unknowns, shares })
+    }
+
+    /// The scene in the middle of its ranges.
+    ///
+    /// # Errors
+    /// Those of [`at`](Self::at).
+    pub fn middle(&self) -> Result<Self, ContactError> {
+        match self.unknowns().len() {
+            0 => Ok(self.clone()),
+            all => self.at(&vec![0.5; all]),
+        }
+    }
+
+    /// The check of the scene in the middle of its ranges, with those of all numbers.
+    pub(crate) fn check_ranges(
+        &self,
+        place: Option<(&dyn ContactModel, At)>,
+    ) -> Result<Check, ContactError> {
+        let points = self.points()?;
+        let mut check = points.middle.check(place)?;
+        // An end of assumed ranges may be an unusual surface, which the given numbers are not.
+        let of_answer = |point: &Self| -> Result<Check, ContactError> {
+            let (mut check, own) = (point.check(place)?, point.findings());
+            let is_own = |found: &Finding| own.iter().any(|own| own.code == found.code);
+            check.findings = check.findings.into_iter().filter(|found| !is_own(found)).collect();
+            Ok(check)
+        };
+        let all = points.all.iter().map(of_answer).collect::<Result<Vec<_>, _>>()?;
+        for number in &mut check.numbers {
+            let found = all.iter().filter_map(|point| point.number(&number.name));
+            let [lower, upper] = found.fold([number.value; 2], |[lower, upper], value| {
+                [lower.min(value), upper.max(value)]
+            });
+            let differs = upper - lower > SAME * number.value.abs();
+            number.ends = differs.then_some([lower, upper]);
+        }
+        let mut given = Check::default();
+        for one in &points.unknowns {
+            let (value, meaning) = (one.middle(), format!("{}: {}", one.status, one.source));
+            let unit = unit_of(key_of_input(&one.name)).unwrap_or_default();
+            given.add_number(one.name.clone(), value, unit, meaning);
+            given.numbers.iter_mut().last().into_iter().for_each(|new| new.ends = Some(one.ends));
+        }
+        let is_new = |one: &DerivedNumber| given.number(&one.name).is_none();
+        check.numbers.retain(is_new);
+        given.numbers.append(&mut check.numbers);
+        check.numbers = given.numbers;
+        let found = all.iter().enumerate();
+        let found = found.flat_map(|(k, one)| one.findings.iter().map(move |found| (k, found)));
+        let new = points.worst(&check.findings, found);
+        check.extend(new);
+        check.findings = self.accepted(check.findings);
+        Ok(check)
+    }
+
+    /// The scene with every unknown at one `end` of its range, `lower` or `upper`, or in its
+    /// `middle`, for an answer in single numbers, and a note that names the ranges, if there are any.
+    ///
+    /// # Errors
+    /// [`SceneError::Refused`] for another word, and for numbers that no scene has.
+    pub fn taken_at(&self, end: &str) -> Result<(Self, Option<Finding>), SceneError> {
+        let refused = |reason: String| {
+            let at = Place::field("at").into();
+            SceneError::Refused { at, reason }
+        };
+        let (share, place) = match end {
+            "lower" => (0.0, "at the lower end"),
+            "middle" => (0.5, "in the middle"),
+            "upper" => (1.0, "at the upper end"),
+            _ => return Err(refused(format!("{end:?} is none of lower, middle and upper"))),
+        };
+        let unknowns = self.unknowns();
+        let range = |one: &Unknown| {
+            let [lower, upper] = one.ends.map(short);
+            let unit = unit_of(key_of_input(&one.name)).unwrap_or_default();
+            format!("{} {lower} to {upper} {unit}", one.name).trim_end().to_string()
+        };
+        let ranges = unknowns.iter().map(range).collect::<Vec<_>>().join(", ");
+        let found = Finding::note(Code::TakenAt, "at", share)
+            .fact(format!("calculated {place} of the ranges of {ranges}"))
+            .advice(
+                "at lower and upper are the ends; curve, check and recommend answer with ranges",
+            );
+        if unknowns.is_empty() {
+            return Ok((self.clone(), None));
+        }
+        let taken = self.at(&vec![share; unknowns.len()]);
+        Ok((taken.map_err(|error| refused(error.to_string()))?, Some(found)))
     }
 }

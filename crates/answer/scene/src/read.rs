@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use asperity::{Code, Datum, Finding, Findings, TabulatedHeights};
+use toml::Value;
 
 use crate::accept;
 use crate::curvature::curvature;
@@ -13,14 +14,16 @@ use crate::gap::gas;
 use crate::height_map::height_map;
 use crate::heights::{HeightsKey, compare_std};
 use crate::interface::bodies;
-use crate::keys::{COUNTERFACE, joined};
+use crate::keys::{COUNTERFACE, joined, keys_of};
 use crate::options::ModelOptions;
+use crate::ranges::Unknown;
 use crate::resolve::resolve;
 use crate::scans::{Asked, Scans, density};
 use crate::scene_file::SceneFile;
 use crate::spec::{HeightsSpec, SceneSpec};
 use crate::surface::{Surfaces, notes, refused, surfaces};
 use crate::text_file::read_text;
+use crate::vary::SceneInput;
 
 /// Reads a scene file and the files that it names.
 ///
@@ -109,12 +112,13 @@ fn spec(
     let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
     let table = key.table(document)?;
     let table_std = table.as_ref().map(TabulatedHeights::standard_deviation);
-    let Surfaces { first, second, scans } = surfaces(document, &key, table_std, asked)?;
+    let Surfaces { first, second, is_smooth, scans } = surfaces(document, &key, table_std, asked)?;
     let heights = key.spec(document, table)?;
     let pressed = scans.as_ref().and_then(|scans| scans.sum.clone());
     let gas = gas(document)?;
     let spec = SceneSpec {
         counterface: second,
+        is_smooth,
         pressed,
         heights,
         separation_from,
@@ -175,11 +179,42 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     let scans = spec.surfaces().filter_map(|(_, one)| one.scan()?.source.as_ref());
     let files = scans.map(|(path, _)| path).chain(&spec.heights.file);
     origin.files = files.cloned().collect();
-    let file = SceneFile { spec, scene, measured, warnings, origin: Some(Arc::new(origin)) };
+    let mut file = SceneFile { spec, scene, measured, warnings, origin: Some(Arc::new(origin)) };
+    file.spec.ranges = ranges(document, &file)?;
     match file.no_mean_plane() {
         Some(needed) => {
             Err(document.conflict("surface.separation_from", "surface.heights", needed))
         }
         None => Ok(file),
     }
+}
+
+/// The numbers that were written as ranges; each end is that of a scene.
+fn ranges(
+    document: &Document<'_>,
+    file: &SceneFile,
+) -> Result<Vec<(SceneInput, Unknown)>, SceneError> {
+    let inputs = if document.ranges.is_empty() { vec![] } else { file.all_inputs() };
+    let range = |(path, ends): &(String, [f64; 2])| {
+        let place = |input: &SceneInput| input.place(&file.spec.bodies);
+        let is_here = |input: &SceneInput| joined(&place(input).0, place(input).1) == *path;
+        let Some(input) = inputs.iter().map(|(_, input)| *input).find(is_here) else {
+            return Err(document.wrong(path, "a single number"));
+        };
+        for end in ends {
+            let made = file.with_inputs([(input, *end)]);
+            made.map_err(document.refused(&place(&input).0))?;
+        }
+        Ok((input, Unknown::written(input.name(), *ends)))
+    };
+    let mut all = document.ranges.clone();
+    // Of a surface that is the same, each number has the range of the other.
+    if document.value(COUNTERFACE).and_then(Value::as_str) == Some("same") {
+        let own = document.ranges.iter().filter_map(|(path, ends)| {
+            let key = path.strip_prefix("surface.")?;
+            keys_of(COUNTERFACE).contains(&key).then(|| (joined(COUNTERFACE, key), *ends))
+        });
+        all.extend(own);
+    }
+    all.iter().map(range).collect()
 }

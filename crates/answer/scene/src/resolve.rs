@@ -6,9 +6,10 @@ use std::sync::Arc;
 use asperity::{ContactError, Interface, Pair, ProfileMoments, Scene, Surface, positive};
 use asperity_topography::Statistics;
 
+use crate::finish::Drawing;
 use crate::keys::COUNTERFACE;
 use crate::measured::Measured;
-use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
+use crate::spec::{Bodies, SceneSpec, SurfaceSpec};
 
 /// A number of a section that is out of range.
 #[derive(Debug)]
@@ -37,33 +38,22 @@ struct One<'s> {
 
 impl<'s> One<'s> {
     fn new(spec: &'s SurfaceSpec, interface: &Interface) -> Result<Self, ContactError> {
-        let (moments, asperities) = match &spec.by {
-            Description::Numbers(roughness) => {
-                let asperities = roughness.surface(interface)?;
-                let moments = roughness.moments(&asperities);
-                let height_std = roughness.way.is_of_surface().then(|| moments.m0.sqrt());
-                return Ok(Self {
-                    moments,
-                    asperities: Some(asperities),
-                    height_std,
-                    measured: None,
-                });
-            }
-            Description::Drawing(drawing) => {
-                let moments = drawing.moments()?;
-                (moments, Some(Surface::from_moments(&moments)?))
-            }
-            Description::Scan(scan) => match &scan.measured {
-                Some(measured) => {
-                    let Statistics { m0, m2, m4, .. } = measured.statistics;
-                    (ProfileMoments { m0, m2, m4 }, measured.statistics.surface().ok())
-                }
-                // Of aligned scans the sum is measured.
-                None => (ProfileMoments { m0: 0.0, m2: 0.0, m4: 0.0 }, None),
-            },
-        };
+        let of_drawing = spec.drawing().map(Drawing::roughness).transpose()?;
+        if let Some(roughness) = spec.roughness().or(of_drawing) {
+            let surface = roughness.surface(interface)?;
+            let moments = roughness.moments(&surface);
+            let height_std = roughness.way.is_of_surface().then(|| moments.m0.sqrt());
+            return Ok(Self { moments, asperities: Some(surface), height_std, measured: None });
+        }
+        let measured = spec.measured();
+        // Of aligned scans the sum is measured.
+        let none = ProfileMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
+        let (moments, asperities) = measured.map_or((none, None), |measured| {
+            let Statistics { m0, m2, m4, .. } = measured.statistics;
+            (ProfileMoments { m0, m2, m4 }, measured.statistics.surface().ok())
+        });
         let height_std = Some(moments.m0.sqrt());
-        Ok(Self { moments, asperities, height_std, measured: spec.measured() })
+        Ok(Self { moments, asperities, height_std, measured })
     }
 }
 
@@ -103,7 +93,7 @@ fn alike(Statistics { m0, m2, .. }: &Statistics) -> Result<Surface, ContactError
 
 /// The interface of the bodies; an error names the body.
 fn interface(bodies: &Bodies) -> Result<Interface, Fault> {
-    let found = bodies.interface().map_err(|source| {
+    let found = bodies.middle().map_err(|source| {
         let mut each = bodies.list().iter().zip(1..);
         let first = each.find_map(|(body, k)| Some((k, Interface::against_rigid(body).err()?)));
         match first {

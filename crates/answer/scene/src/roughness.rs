@@ -1,6 +1,6 @@
 //! Three numbers that describe a rough surface.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use asperity::{ContactError, Interface, ProfileMoments, Scene, Surface, positive};
 
@@ -89,6 +89,12 @@ impl Roughness {
     #[must_use]
     pub fn of_moments(ProfileMoments { m0, m2, m4 }: ProfileMoments) -> Self {
         Self { way: Way::Moments, numbers: [m0, m2, m4] }
+    }
+
+    /// An isotropic Gaussian surface by Rq \[m\], the mean slope and the bandwidth of its profiles.
+    pub(crate) fn of_profile([rq, slope, bandwidth]: [f64; 3]) -> Self {
+        let (m0, m2) = (rq * rq, FRAC_PI_2 * slope * slope);
+        Self::of_moments(ProfileMoments { m0, m2, m4: bandwidth * m2 * (m2 / m0) })
     }
 
     /// The numbers with their keys.

@@ -16,8 +16,9 @@ use crate::keys::COUNTERFACE;
 use crate::materials::Material;
 use crate::measured::{Measured, Scan};
 use crate::options::ModelOptions;
-use crate::ranges::Face;
+use crate::ranges::Unknown;
 use crate::roughness::{Roughness, Way};
+use crate::vary::SceneInput;
 
 /// What was written about a scene. `SceneFile::of_spec` makes a scene of it.
 #[derive(Debug, Clone)]
@@ -31,6 +32,8 @@ pub struct SceneSpec {
     pub surface: SurfaceSpec,
     /// The second rough surface.
     pub counterface: Option<SurfaceSpec>,
+    /// Whether there was said to be none.
+    pub(crate) is_smooth: bool,
     /// What boundary elements press where that is not the scan of `surface`: the sum of two aligned
     /// scans, or a scan beside asperities.
     pub(crate) pressed: Option<Arc<Scan>>,
@@ -46,6 +49,8 @@ pub struct SceneSpec {
     pub options: ModelOptions,
     /// Codes of accepted warnings and notes, which are not shown.
     pub accept: Vec<Code>,
+    /// The numbers that were written as ranges, whose middle stands in their place.
+    pub(crate) ranges: Vec<(SceneInput, Unknown)>,
 }
 
 /// The two bodies in contact, or what they have together.
@@ -199,20 +204,13 @@ impl SurfaceSpec {
 
     /// The moments of its profiles; none of aligned scans, and of numbers out of range.
     pub(crate) fn moments(&self, interface: &Interface) -> Option<ProfileMoments> {
-        match &self.by {
-            Description::Numbers(one) => Some(one.moments(&one.surface(interface).ok()?)),
-            Description::Drawing(drawing) => drawing.moments().ok(),
-            Description::Scan(scan) => {
-                let statistics = &scan.measured.as_ref()?.statistics;
-                let (m0, m2, m4) = (statistics.m0, statistics.m2, statistics.m4);
-                Some(ProfileMoments { m0, m2, m4 })
-            }
+        let drawn = || self.drawing()?.roughness().ok();
+        if let Some(one) = self.roughness().or_else(drawn) {
+            return Some(one.moments(&one.surface(interface).ok()?));
         }
-    }
-
-    /// The ranges of its numbers, where it is drawn and they are not taken at one place.
-    pub(crate) fn face(&self) -> Option<Face> {
-        self.drawing().filter(|drawing| drawing.at.is_none())?.face().ok()
+        let statistics = &self.measured()?.statistics;
+        let (m0, m2, m4) = (statistics.m0, statistics.m2, statistics.m4);
+        Some(ProfileMoments { m0, m2, m4 })
     }
 }
 
@@ -240,6 +238,7 @@ impl SceneSpec {
             bodies,
             surface,
             counterface: None,
+            is_smooth: false,
             pressed: None,
             heights: HeightsSpec::default(),
             separation_from: Datum::AsperityMean,
@@ -247,6 +246,7 @@ impl SceneSpec {
             gas: None,
             options: ModelOptions::default(),
             accept: vec![],
+            ranges: vec![],
         }
     }
 

@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
-use asperity::{Code, ContactError, Finding, ProfileMoments, Scene, short};
+use asperity::{
+    Code, ContactError, Finding, HeightDistribution, ProfileMoments, Scene, nearest_name, short,
+};
+use toml::Value;
 
 use crate::document::Document;
 use crate::error::SceneError;
@@ -15,7 +18,10 @@ use crate::resolve::Fault;
 use crate::roughness::{Roughness, WAYS, Way};
 use crate::scans::{Asked, Scans};
 use crate::spec::{Description, SceneSpec, SurfaceSpec};
+use crate::text_file::shorten;
 
+/// What a counterface may be instead of a surface of its own.
+const WORDS: [&str; 2] = ["smooth", "same"];
 /// The files of measured surfaces.
 const FILES: [&str; 2] = ["file", "files"];
 const STD: &str = "asperity_height_std";
@@ -84,6 +90,8 @@ fn way(
 pub(crate) struct Surfaces {
     pub(crate) first: SurfaceSpec,
     pub(crate) second: Option<SurfaceSpec>,
+    /// Whether the other surface was said to be smooth.
+    pub(crate) is_smooth: bool,
     pub(crate) scans: Option<Scans>,
 }
 
@@ -96,7 +104,17 @@ pub(crate) fn surfaces(
     asked: Asked,
 ) -> Result<Surfaces, SceneError> {
     let first = described(document, "surface", table_std)?;
-    let is_pair = document.has(COUNTERFACE);
+    let word = document.value(COUNTERFACE).and_then(Value::as_str);
+    if let Some(word) = word.filter(|word| !WORDS.contains(word)) {
+        return Err(SceneError::Value {
+            at: document.place(COUNTERFACE),
+            found: format!("{:?}", shorten(word)),
+            near: nearest_name(word, WORDS).map(Into::into),
+            needed: "\"smooth\", \"same\" or the keys of the second surface".into(),
+        });
+    }
+    let (is_smooth, is_same) = (word == Some(WORDS[0]), word == Some(WORDS[1]));
+    let is_pair = document.has(COUNTERFACE) && word.is_none();
     let second = if is_pair { described(document, COUNTERFACE, None)? } else { None };
     if let (Some((_, key)), HeightsKey::Measured) = (&first, heights) {
         let needed = "a measured file, from which the heights are taken,";
@@ -125,8 +143,16 @@ pub(crate) fn surfaces(
         }))
     };
     let first = of("surface", first)?.ok_or_else(|| document.missing("surface", one_way()))?;
-    let second = of(COUNTERFACE, second)?;
-    Ok(Surfaces { first, second, scans })
+    let second = match is_same {
+        true if first.scan().is_some() => {
+            let at = document.place(COUNTERFACE);
+            let reason = "\"same\" is of a surface by numbers; name the scans of both by files";
+            return Err(SceneError::Refused { at, reason: reason.into() });
+        }
+        true => Some(first.clone()),
+        false => of(COUNTERFACE, second)?,
+    };
+    Ok(Surfaces { first, second, is_smooth, scans })
 }
 
 /// How a section describes its surface, with the key that decides it; `None` by a scan.
@@ -181,11 +207,23 @@ pub(crate) fn refused(
 pub(crate) fn notes(document: &Document<'_>, spec: &SceneSpec, scene: &Scene) -> Vec<Finding> {
     let mut notes = vec![];
     let place = |path: &str| document.place(path).to_string();
+    let is_open = spec.surface.drawing().is_some_and(Drawing::is_open);
+    if is_open && spec.counterface.is_none() && !spec.is_smooth {
+        let found = Finding::warning(Code::SmoothCounterface, "counterface", f64::NAN)
+            .fact("the other surface is taken as smooth (by models of pairs as rough as this one)")
+            .advice("give counterface = \"smooth\" or \"same\", or describe it");
+        notes.push(found);
+    }
     for (section, one) in spec.surfaces() {
         if let Some(drawing) = one.drawing() {
             let of_drawing = drawing.warnings(|key| place(&joined(section, key)));
             notes.extend(of_drawing.unwrap_or_default());
         }
+        notes.extend(
+            one.drawing()
+                .and_then(Drawing::skewed)
+                .filter(|_| matches!(spec.heights.distribution, HeightDistribution::Gaussian)),
+        );
         let Some(roughness) = one.roughness() else { continue };
         let slope = steep_slope(&roughness);
         // Of two surfaces, each finding has its place.

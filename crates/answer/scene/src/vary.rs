@@ -7,8 +7,10 @@ use asperity::{
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
 use crate::keys::{
-    BODIES, BODY, Field, INTERFACE, KEYS, Key, MECHANICAL, OF_PAIR, SECOND, key_of_input,
+    BODIES, BODY, COUNTERFACE, Field, INTERFACE, KEYS, Key, MECHANICAL, OF_PAIR, SECOND,
+    key_of_input,
 };
+use crate::ranges::Unknown;
 use crate::roughness::{Roughness, Way};
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
@@ -80,30 +82,23 @@ impl SceneFile {
         let is_own = |field: &&Field<Interface>| {
             !has_bodies || BODY.iter().all(|of_body| of_body.name != field.name)
         };
-        let of_interface = INTERFACE.iter().filter(is_own);
-        let of_bodies = BODY.iter().filter(|_| has_bodies);
         let of_surface = |second: bool| {
-            let name = move |key: &str| if second { format!("{SECOND}{key}") } else { key.into() };
-            let keys = self.keys_of_surface(second).into_iter();
-            keys.map(move |key| (name(key), Input::Surface(second, key)))
+            self.keys_of_surface(second).into_iter().map(move |key| Input::Surface(second, key))
         };
-        let of_body = |(body, start): (usize, &str)| {
-            let start = start.to_string();
-            BODY.iter()
-                .map(move |field| (format!("{start}{}", field.name), Input::Body(body, *field)))
-        };
+        let of_body = |body: usize| BODY.iter().map(move |field| Input::Body(body, *field));
         let is_skewed = matches!(self.scene.heights, HeightDistribution::Weibull(_));
         let numbers = NUMBERS.into_iter().filter(|(name, ..)| self.has(name));
-        let named = |name: &str, input| (name.to_string(), input);
-        of_interface
-            .map(|field| named(field.name, Input::Interface(*field)))
-            .chain(of_bodies.map(|field| named(field.name, Input::Bodies(*field))))
+        INTERFACE
+            .iter()
+            .filter(is_own)
+            .map(|field| Input::Interface(*field))
+            .chain(BODY.iter().filter(|_| has_bodies).map(|field| Input::Bodies(*field)))
             .chain(of_surface(false))
-            .chain(numbers.map(|one| named(one.0, Input::Scene(one))))
-            .chain(is_skewed.then(|| named("skewness", Input::Skewness)))
-            .chain(BODIES.into_iter().enumerate().take(self.bodies().len()).flat_map(of_body))
+            .chain(numbers.map(Input::Scene))
+            .chain(is_skewed.then_some(Input::Skewness))
+            .chain((0..self.bodies().len()).flat_map(of_body))
             .chain(of_surface(true))
-            .map(|(name, input)| (name, SceneInput(input)))
+            .map(|input| (input.name(), SceneInput(input)))
             .collect()
     }
 
@@ -119,13 +114,12 @@ impl SceneFile {
         }
     }
 
-    /// The surface by three numbers: as written, or of a single surface with known asperities by
-    /// these.
+    /// The surface by three numbers: as written, or of a single surface by its asperities.
     fn roughness_of(&self, second: bool) -> Option<Roughness> {
         let one = self.spec.one(second)?;
         let is_alone = !second && (self.spec.counterface.is_none() || self.spec.pressed.is_some());
         let own = || Roughness::asperities(&self.scene.surface);
-        one.roughness().or_else(|| (is_alone && self.spreads().is_empty()).then(own))
+        one.roughness().or_else(|| is_alone.then(own))
     }
 
     /// The keys of numbers by which a surface is described or can be.
@@ -259,7 +253,9 @@ impl SceneFile {
     ) -> Result<Self, ContactError> {
         let mut spec = self.spec.clone();
         let (mut of_interface, mut of_surface) = (vec![], [vec![], vec![]]);
+        let mut set: Vec<Input> = vec![];
         for (SceneInput(input), value) in numbers {
+            set.push(input);
             match input {
                 Input::Body(place, field) => spec.bodies.set(&field, value, |k| k == place),
                 Input::Bodies(field) => spec.bodies.set(&field, value, |_| true),
@@ -278,7 +274,16 @@ impl SceneFile {
                 self.describe(&mut spec, second, given)?;
             }
         }
-        Self::of_spec(spec)
+        let ranges = std::mem::take(&mut spec.ranges).into_iter();
+        let mut made = Self::of_spec(spec)?;
+        // A number that was set, or is not that of the scene any more, has no range.
+        let bits = |value: f64| value.to_bits();
+        let keeps = |(input, one): &(SceneInput, Unknown)| {
+            let is_set = set.iter().any(|set| set.sets(&input.0));
+            !is_set && made.value_of(*input).map(bits) == Some(bits(one.middle()))
+        };
+        made.spec.ranges = ranges.filter(keeps).collect();
+        Ok(made)
     }
 
     /// Sets numbers that describe a surface.
@@ -297,7 +302,7 @@ impl SceneFile {
             return Ok(());
         }
         let Some(before) = self.roughness_of(second) else { return Ok(()) };
-        let edited = before.with(given, || spec.bodies.interface())?;
+        let edited = before.with(given, || spec.bodies.middle())?;
         let is_written = spec.surface_mut(second).is_some_and(|one| one.roughness().is_some());
         // A scan stays where its numbers do.
         if !is_written && edited == before {
@@ -348,7 +353,52 @@ impl Bodies {
     }
 }
 
+impl SceneInput {
+    /// Its name.
+    pub(crate) fn name(self) -> String {
+        self.0.name()
+    }
+
+    /// The section of a scene file in which it is written, and its key.
+    pub(crate) fn place(self, bodies: &Bodies) -> (String, &'static str) {
+        match self.0 {
+            Input::Body(k, Field { name, .. }) => (format!("body[{}]", k + 1), name),
+            Input::Bodies(Field { name, .. }) => ("body".into(), name),
+            Input::Interface(Field { name, .. }) => {
+                (if bodies.list().is_empty() { "interface" } else { "" }.into(), name)
+            }
+            Input::Surface(second, key) => {
+                (if second { COUNTERFACE } else { "surface" }.into(), key)
+            }
+            Input::Scene((name, ..)) => {
+                let key = key_of_input(name);
+                let section = Key::find("", key).map_or("", |key| key.section);
+                (if key == name { section } else { COUNTERFACE }.into(), key)
+            }
+            Input::Skewness => ("surface.heights".into(), "skewness"),
+        }
+    }
+}
+
 impl Input {
+    /// Its name: that of its key, of a body or the second surface behind theirs.
+    fn name(&self) -> String {
+        match self {
+            Self::Interface(Field { name, .. }) => (*name).into(),
+            Self::Bodies(Field { name, .. }) => (*name).into(),
+            Self::Body(k, Field { name, .. }) => format!("{}{name}", BODIES[*k]),
+            Self::Surface(second, key) => format!("{}{key}", if *second { SECOND } else { "" }),
+            Self::Scene((name, ..)) => (*name).into(),
+            Self::Skewness => "skewness".into(),
+        }
+    }
+
+    /// Whether this number replaces another one.
+    fn sets(&self, other: &Self) -> bool {
+        let is_of_all = matches!((self, other), (Self::Bodies(all), Self::Body(_, one)) if all.name == one.name);
+        is_of_all || self.name() == other.name()
+    }
+
     /// Whether a number has no meaning beside another one.
     fn excludes(&self, other: &Self) -> bool {
         match (self, other) {

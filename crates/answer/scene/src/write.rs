@@ -12,6 +12,7 @@ use crate::heights::write_heights;
 use crate::keys::{BODY, Key, joined, keys_of};
 use crate::materials::Material;
 use crate::measured::Scan;
+use crate::ranges::Unknown;
 use crate::read::scene_file;
 use crate::roughness::{Roughness, Way};
 use crate::scans::Asked;
@@ -93,6 +94,7 @@ impl SceneFile {
         let is_drawn = self.spec.surface.drawing().is_some();
         let is_beyond = is_drawn
             || self.spec.counterface.is_some()
+            || self.spec.is_smooth
             || self.spec.surface.roughness().is_some_and(by_index);
         (is_beyond && !has_scan).then(|| self.surface_keys())
     }
@@ -125,6 +127,11 @@ impl SceneFile {
             top.insert("gap".into(), Table::try_from(gas).unwrap_or_default().into());
         }
         top.insert("options".into(), spec.options.changed().into());
+        for (input, Unknown { ends, .. }) in &spec.ranges {
+            let (section, key) = input.place(&spec.bodies);
+            let ends = Value::from(ends.to_vec());
+            section_mut(&mut top, &section).map(|table| table.insert(key.into(), ends));
+        }
         let mut sections = String::new();
         for name in ["body", "interface", "surface", "curvature", "gap", "options"] {
             let header = if name == "body" { "[[body]]" } else { &format!("[{name}]") };
@@ -144,7 +151,11 @@ impl SceneFile {
     fn surface_keys(&self) -> Table {
         let (first, second) = (&self.spec.surface, self.spec.counterface.as_ref());
         let mut keys = first.keys();
-        let Some(second) = second else { return keys };
+        let Some(second) = second else {
+            let word = self.spec.is_smooth.then(|| ("counterface".into(), "smooth".into()));
+            keys.extend(word);
+            return keys;
+        };
         let sources = [first, second].map(|one| one.scan().and_then(|scan| scan.source.as_ref()));
         match sources {
             [Some((one, own)), Some((two, other))] if own == other && !second.has_own() => {
@@ -232,20 +243,27 @@ impl SurfaceSpec {
         let number = |(key, value): (&str, f64)| (key.to_string(), Value::from(value));
         let mut keys: Table = match &self.by {
             Description::Numbers(roughness) => roughness.by_key().map(number).collect(),
-            Description::Drawing(drawing) => match (drawing.at, drawing.moments()) {
-                (Some(_), Ok(moments)) => {
-                    Roughness::of_moments(moments).by_key().map(number).collect()
-                }
-                _ => {
-                    let finish = drawing.finish().map(|word| ("finish".into(), word.into()));
-                    drawing.by_key().map(number).chain(finish).collect()
-                }
-            },
+            Description::Drawing(drawing) => {
+                let finish = drawing.finish().map(|word| ("finish".into(), word.into()));
+                drawing.by_key().map(number).chain(finish).collect()
+            }
             Description::Scan(scan) => keys_of_scan(scan),
         };
         keys.extend(self.peklenik_number.map(|lay| ("peklenik_number".into(), lay.into())));
         keys
     }
+}
+
+/// The table of a section, such as `body[1]`.
+fn section_mut<'t>(top: &'t mut Table, section: &str) -> Option<&'t mut Table> {
+    section.split('.').filter(|name| !name.is_empty()).try_fold(top, |table, name| {
+        let (name, k) = name.trim_end_matches(']').split_once('[').unwrap_or((name, ""));
+        match table.get_mut(name)? {
+            Value::Array(all) => all.get_mut(k.parse::<usize>().ok()?.checked_sub(1)?)?,
+            one => one,
+        }
+        .as_table_mut()
+    })
 }
 
 /// The path of a scan, and the keys by which it was read.

@@ -11,6 +11,7 @@ use asperity_answer::{
 };
 use asperity_scene::SceneFile;
 
+use crate::input::args::EndArgs;
 use crate::input::destinations;
 use crate::output::{self, print_results, show};
 
@@ -57,6 +58,13 @@ impl LoadedScene {
         let scene = Self { file, name: path.display().to_string() }.kept()?;
         scene.report_scene(asperities);
         Ok(scene)
+    }
+
+    /// The scene at one end of its ranges, which a note names.
+    pub fn taken_at(self, end: &EndArgs) -> Result<Self> {
+        let (file, note) = self.file.taken_at(&end.at)?;
+        show(&file.accepted(note.into_iter().collect()));
+        Ok(Self { file, ..self })
     }
 
     /// The boundary elements of the scene's scan.

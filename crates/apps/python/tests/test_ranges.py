@@ -17,22 +17,21 @@ def scene(**keys: object) -> asperity.Scene:
     return asperity.Scene(PAIR, {**GROUND, **keys}, nominal_area=1e-4)
 
 
-def test_keys_are_kept_and_single_numbers_refused() -> None:
+def test_keys_are_kept_and_single_numbers_are_those_in_the_middle() -> None:
     ground = scene(counterface=GROUND)
     assert pickle.loads(pickle.dumps(ground)) == ground  # noqa: S301
     assert asperity.Scene.parse(ground.to_toml()) == ground
     assert "'finish': 'ground'" in repr(ground)
     model = asperity.model("ke")
-    for ask in (
-        lambda: model.solve(ground, load=10.0),
-        lambda: model.solve([ground, ground], load=10.0),
-        lambda: model.compile(ground),
-        lambda: ground.surface,
-        lambda: ground.plasticity_index,
-        lambda: asperity.recommend(ground, pressure=1e6),
-    ):
-        with pytest.raises(ValueError, match=r"ranges"):
-            ask()
+    area = [
+        float(model.solve(one, load=10.0, quantities="area").area)
+        for one in (ground, ground.at("middle"), ground.at("lower"))
+    ]
+    assert area[0] == pytest.approx(area[1], rel=1e-12)
+    assert area[0] != pytest.approx(area[2], rel=1e-3)
+    assert ground.surface == ground.at("middle").surface
+    with pytest.raises(ValueError, match="upper"):
+        ground.at("most")
     with pytest.raises(ValueError, match="finish is missing"):
         asperity.Scene(PAIR, {"ra": "0.8 um"}, nominal_area=1e-4)
 

@@ -58,15 +58,13 @@ impl Best {
         let values = (0..columns.len()).map(|column| row.value(column).copied()).collect();
         let (model, basis) = (row.model.clone(), String::new());
         let mut best = Self { values, source: Source::Model, model, basis };
-        let spreads = file.spreads();
+        let unknowns = file.unknowns();
         match corrected {
-            _ if !spreads.is_empty() => {
-                let spread = |(name, ratio)| format!("{} within {ratio:.1}", term(name));
-                let spreads = spreads.into_iter().map(spread).collect::<Vec<_>>().join(", ");
-                best.basis = symbols(&format!(
-                    "Ranges by {}, of a surface with {spreads}; Rdq, or Rz with RSm, or a scan narrows them.",
-                    best.model
-                ));
+            _ if !unknowns.is_empty() => {
+                let names =
+                    unknowns.iter().map(|one| term(&one.name)).collect::<Vec<_>>().join(", ");
+                best.basis =
+                    symbols(&format!("Ranges by {}, for the ranges of {names}.", best.model));
             }
             Ok(row) => best.take_evidence(file, &row),
             Err(reason) => {
@@ -263,7 +261,7 @@ mod tests {
 
     /// The joint of an alloy so soft that no like surface was solved.
     fn joint() -> String {
-        JOINT.replace("= 275e6", "= 140e6")
+        JOINT.replace("107 HV", "37 HV")
     }
 
     /// The answer of the page for a scene at a load, with values solved there.
@@ -373,7 +371,7 @@ mod tests {
         let shown = call(&mut desk, json!({ "call": "show", "text": GROUND }));
         assert_eq!((&shown["way"], &shown["error"]), (&json!("finish"), &Value::Null));
         let slope = &shown["numbers"][1];
-        assert_eq!(slope["name"], "surface mean slope");
+        assert_eq!(slope["name"], "mean slope");
         assert!(slope["shown"].as_str().unwrap().contains(" to "), "{slope}");
         let models = ["gw", "ke", "persson"];
         let load = json!({ "position": 0.6, "unit": "Pa" });
@@ -394,7 +392,7 @@ mod tests {
     }
 
     #[test]
-    fn curves_have_their_ends_and_single_numbers_are_refused() {
+    fn curves_have_their_ends_and_tables_are_those_of_the_middle() {
         let mut desk = Desk::default();
         let shown = call(&mut desk, json!({ "call": "show", "text": GROUND }));
         let curves = call(&mut desk, json!({ "call": "curve", "models": ["ke"] }));
@@ -412,7 +410,6 @@ mod tests {
         let drawn = json!({ "call": "draw", "rows": [rows], "view": "tangent", "load": load, "solved": [] });
         assert!(call(&mut desk, drawn).as_str().unwrap().starts_with("<svg"));
         let export = json!({ "call": "export", "model": "ke", "form": "csv", "units": "SI" });
-        let refused: Value = serde_json::from_str(&desk.call(&export.to_string())).unwrap();
-        assert!(refused["error"].is_object());
+        assert!(call(&mut desk, export)["text"].is_string());
     }
 }

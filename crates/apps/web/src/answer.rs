@@ -74,7 +74,7 @@ impl Column {
     /// ends.
     pub(crate) fn heads(&self, file: &SceneFile) -> Vec<String> {
         let ends = ENDS.map(|end| column_of_end(&self.head, end));
-        let ends = ends.into_iter().filter(|_| !file.spreads().is_empty());
+        let ends = ends.into_iter().filter(|_| !file.unknowns().is_empty());
         [self.head.clone()].into_iter().chain(ends).collect()
     }
 

@@ -179,10 +179,9 @@ impl Desk {
         let named = fields::files(text);
         self.files.retain(|name, _| named.contains(name));
         if let Some(file) = &file {
-            let corners = Some(file.corners()).filter(|_| !file.spreads().is_empty());
-            self.scenes = match corners {
-                Some(Ok((middle, ends))) => [middle].into_iter().chain(ends).collect(),
-                _ => vec![file.clone()],
+            self.scenes = match file.points() {
+                Ok(points) => [points.middle].into_iter().chain(points.all).collect(),
+                Err(_) => vec![file.clone()],
             };
         }
         self.file = file;

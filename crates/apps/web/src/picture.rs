@@ -225,8 +225,8 @@ mod tests {
         let ground = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
             poissons_ratio = 0.3\nhardness = 2e9\n[surface]\nra = 8e-7\nfinish = \"ground\"\n";
         let file = asperity_scene::parse(ground, std::path::Path::new(".")).unwrap();
-        let (middle, ends) = file.corners().unwrap();
-        let scenes: Vec<SceneFile> = [middle].into_iter().chain(ends).collect();
+        let points = file.points().unwrap();
+        let scenes: Vec<SceneFile> = [points.middle].into_iter().chain(points.all).collect();
         let of = |id| rows(&scenes, id, &compile(&scenes, id).unwrap(), &[1e5, 1e6, 1e7]);
         let all = ["gw", "ke"].map(of);
         let svg = curves(&file, &asked(&all, "tangent", "100 N", &[])).unwrap();

@@ -1,6 +1,6 @@
 //! A text as the page shows it: fields, findings, models and numbers of its scene.
 
-use asperity::{Body, DerivedNumber, Described, HARDNESS_OVER_YIELD, Model};
+use asperity::{Body, DerivedNumber, Described, Model};
 use asperity_scene::{BODY, Field, HandedFiles, Key, Material, SceneFile, parse_handed};
 use serde_json::{Value, json};
 
@@ -26,7 +26,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
     found["views"] = json!(columns);
     let derived = |of: &DerivedNumber| {
         let shown = ranged(of.value, of.ends, of.unit);
-        number(&term(of.name), shown, of.value, &symbols(&of.meaning))
+        number(&term(&of.name), shown, of.value, &symbols(&of.meaning))
     };
     match read {
         Ok(file) => {
@@ -40,7 +40,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
             found["models"] = models(&file);
             // Of a csv of model, load, pressure and cells.
             found["head"] = answer::head(&file, &columns).into();
-            found["ends"] = (!file.spreads().is_empty()).into();
+            found["ends"] = (!file.unknowns().is_empty()).into();
             // The model that tables begin with.
             found["usual"] = asperity::usual_reference(&file.scene).into();
             found["scan"] = press::scan(&file).into();
@@ -89,14 +89,7 @@ pub(crate) fn material(material: &Material) -> Value {
         let value = (field.get)(body)?;
         Some(format!("{symbol} {}", shown(value, &unit.replace("ohm", "Ω"))))
     };
-    let mut shown = BODY.iter().filter_map(number).collect::<Vec<_>>().join(", ");
-    if let (None, Some(strength)) = (body.hardness, body.yield_strength) {
-        let hardness = self::shown(HARDNESS_OVER_YIELD * strength, "Pa");
-        shown += &format!(
-            "; hardness {hardness} ({HARDNESS_OVER_YIELD} times the yield strength; metals that \
-             harden are harder: a measured hardness is better)"
-        );
-    }
+    let shown = BODY.iter().filter_map(number).collect::<Vec<_>>().join(", ");
     let Material { id, name, source, .. } = material;
     json!({ "id": id, "name": name, "shown": shown, "source": source })
 }
@@ -140,6 +133,6 @@ mod tests {
                 .all(|one| text(one, "shown").starts_with("E ") && !text(one, "source").is_empty())
         );
         let copper = all.iter().find(|one| one["id"] == "copper-hot-rolled").unwrap();
-        assert!(text(copper, "shown").contains("193.2 MPa"), "{copper}");
+        assert!(text(copper, "shown").contains("539.4 MPa"), "{copper}");
     }
 }

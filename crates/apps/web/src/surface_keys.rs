@@ -88,9 +88,12 @@ pub(crate) fn other_surface(fields: &BTreeMap<String, String>) -> Option<&'stati
         fields.get(&format!("surface.{}", key.name))
             == fields.get(&format!("{COUNTERFACE}.{}", key.name))
     };
+    let word = fields.get(COUNTERFACE).map(|word| word.trim_matches('"'));
     match fields.keys().any(|path| path.starts_with(COUNTERFACE)) {
         _ if way(fields) != FINISH => None,
+        _ if word == Some("same") => Some("same"),
         false => Some("smooth"),
+        true if word == Some("smooth") => Some("smooth"),
         true if of_roughness().all(is_same) => Some("same"),
         true => Some("another"),
     }
@@ -108,8 +111,9 @@ pub(crate) fn edited(text: &str, changes: &[Change], another: bool) -> Result<St
     let mut all = vec![];
     for change in changes {
         if change.path == OTHER_SURFACE {
-            all.push(surface_key("counterface", None));
-            if change.value.as_deref() != Some("smooth") {
+            let is_smooth = change.value.as_deref() == Some("smooth");
+            all.push(surface_key("counterface", is_smooth.then(|| "smooth".into())));
+            if !is_smooth {
                 all.extend(copies(&known));
             }
             continue;
@@ -337,7 +341,7 @@ mod tests {
         assert!((m0(&as_it_was) / m0(template) - 1.0).abs() < 0.2, "{}", m0(&as_it_was));
         let choose = |text: &str, value| edited(text, &[set(OTHER_SURFACE, value)], false).unwrap();
         let smooth = choose(&text, "smooth");
-        assert_eq!((other(&smooth), has_other(&smooth)), ("smooth", false));
+        assert_eq!((other(&smooth), &*fields(&smooth)[COUNTERFACE]), ("smooth", "smooth"));
         assert_eq!(choose(&smooth, "same"), text);
         assert!((m0(&text) / m0(&smooth) - 2.0).abs() < 1e-9);
         let another = choose(&smooth, "another");
@@ -345,9 +349,9 @@ mod tests {
         assert_eq!((other(&another), &*fields(&another)["surface.ra"]), ("another", "1.6 um"));
         assert_eq!(fields(&another)["surface.counterface.ra"], "0.8 um");
         // As a section of its own as well.
-        let section =
-            smooth.clone() + "[surface.counterface]\nra = \"0.8 um\"\nfinish = \"ground\"\n";
-        assert_eq!((other(&section), has_other(&choose(&section, "smooth"))), ("same", false));
+        let alone = edit(&text, &[surface_key("counterface", None)]).unwrap();
+        let section = alone + "[surface.counterface]\nra = \"0.8 um\"\nfinish = \"ground\"\n";
+        assert_eq!((other(&section), other(&choose(&section, "smooth"))), ("same", "smooth"));
         let unlike = template.replacen("hardness = 2e9", "hardness = 3e9", 1);
         assert_eq!(other(&ground(&unlike)), "smooth");
         assert_eq!(other_surface(&fields(template)), None);

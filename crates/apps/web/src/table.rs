@@ -93,7 +93,7 @@ mod tests {
                     let made = table(&file, id, form, "SI");
                     assert_eq!(found[id].is_null(), made.is_ok(), "{id} {form}: {found}");
                 }
-                assert_eq!(found["ke"].is_null(), text != ranges, "{form}: {found}");
+                assert!(found["ke"].is_null(), "{form}: {found}");
             }
         }
     }

@@ -27,7 +27,7 @@ use asperity_core::{
 #[non_exhaustive]
 pub struct DerivedNumber {
     /// Its name, as in tables: `plasticity_index`.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// Its value.
     pub value: f64,
     /// Its SI unit; empty for pure numbers.
@@ -92,12 +92,13 @@ impl Check {
     /// Adds a number.
     pub fn add_number(
         &mut self,
-        name: &'static str,
+        name: impl Into<Cow<'static, str>>,
         value: f64,
         unit: &'static str,
         meaning: impl Into<Cow<'static, str>>,
     ) {
-        self.numbers.push(DerivedNumber { name, value, unit, meaning: meaning.into(), ends: None });
+        let (name, meaning) = (name.into(), meaning.into());
+        self.numbers.push(DerivedNumber { name, value, unit, meaning, ends: None });
     }
 }
 

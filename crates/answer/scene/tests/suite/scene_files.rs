@@ -58,8 +58,12 @@ fn two_bodies_and_a_rigid_counterface_give_the_interfaces_of_the_library() {
     let mut b = Body::new(210e9, 0.3, 7e9);
     b.yield_strength = Some(2e9);
     let both = read(&text("", &format!("{soft}{hard}"), SURFACE)).unwrap();
-    assert_eq!(both.scene.interface, Interface::between(&a, &b).unwrap());
-    assert_eq!(both.scene.interface.yield_strength, Some(300e6));
+    assert_eq!(both.spec.bodies.interface().unwrap(), Interface::between(&a, &b).unwrap());
+    // The hardness of the softer body is known within a range, that of the harder one given.
+    let [one] = &both.unknowns()[..] else { panic!("one unknown") };
+    assert_eq!((&*one.name, one.ends), ("body1_hardness", [3.3 * 300e6, 7.8 * 300e6]));
+    assert_eq!(both.scene.interface.hardness, Some(one.middle()));
+    assert_eq!(both.spec.bodies.interface().unwrap().yield_strength, Some(300e6));
     let rigid = read(&text("rigid_counterface = true", hard, SURFACE)).unwrap();
     assert_eq!(rigid.scene.interface, Interface::against_rigid(&b).unwrap());
     let sticky = format!("work_of_adhesion = \"50 mJ/m2\"\n[[body]]{}{hard}", &soft[8..]);

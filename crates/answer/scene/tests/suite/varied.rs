@@ -70,10 +70,11 @@ fn read(text: &str) -> SceneFile {
     parse(text, Path::new(".")).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
-/// Everything of a scene on which an answer depends, at every end of its ranges.
+/// Everything of a scene on which an answer depends, also at the ends of its ranges.
 fn physics(file: &SceneFile) -> String {
     let mut scenes = vec![&file.scene];
-    let ends = if file.spreads().is_empty() { vec![] } else { file.corners().unwrap().1 };
+    let unknowns = file.unknowns().len();
+    let ends = [0.0, 0.3, 1.0].map(|share| file.at(&vec![share; unknowns]).unwrap());
     scenes.extend(ends.iter().map(|end| &end.scene));
     let lay = [Some(&file.spec.surface), file.spec.counterface.as_ref()];
     let lay = lay.map(|one| one.and_then(|one| one.peklenik_number));

@@ -10,7 +10,7 @@ use asperity_plot::{draw_map, map_png};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
-use crate::input::args::{OutputArgs, PressArgs, file_ending, listed_model_id};
+use crate::input::args::{EndArgs, OutputArgs, PressArgs, file_ending, listed_model_id};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{length, load, pressure, viscosity};
 use crate::input::usage_error;
@@ -27,6 +27,8 @@ pub struct BemCommand {
     /// Scene file that names a scan
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
+    #[command(flatten)]
+    end: EndArgs,
     #[command(flatten)]
     places: Places,
     /// Compare models with boundary elements: area, mean gap and, unless --quantity names others,
@@ -111,7 +113,8 @@ impl Places {
 
 impl BemCommand {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load_scan(&self.scene, self.press.options(), self.compare)?;
+        let scene = LoadedScene::load_scan(&self.scene, self.press.options(), self.compare)?
+            .taken_at(&self.end)?;
         let given = self.places.given(scene.file.scene.nominal_area);
         for (name, path) in [("--picture", &self.picture), ("--flow-picture", &self.flow_picture)] {
             if path.is_some() && given.len() > 1 {

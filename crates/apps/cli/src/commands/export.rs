@@ -9,7 +9,7 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 
-use crate::input::args::model_id;
+use crate::input::args::{EndArgs, model_id};
 use crate::input::distances::{Length, metre, warn_unit};
 use crate::input::lists::{Span, range};
 use crate::input::numbers::{friction, load, number, pressure, share_above_0};
@@ -33,6 +33,8 @@ pub struct ExportCommand {
     /// Form of the table: for a solver, or csv
     #[arg(long = "as", value_name = "FORM", value_parser = form())]
     format: TableFormat,
+    #[command(flatten)]
+    end: EndArgs,
     #[command(flatten)]
     ends: Ends,
     /// Add nodes until the relative error of the interpolated pressure is below this bound, for
@@ -116,7 +118,8 @@ impl ExportCommand {
             usage_error("export", ErrorKind::MissingRequiredArgument, text);
         }
         valid("export", self.format.check(self.conductance, self.friction));
-        let scene = LoadedScene::load(&self.scene, std::slice::from_ref(&self.model))?;
+        let scene = LoadedScene::load(&self.scene, std::slice::from_ref(&self.model))?
+            .taken_at(&self.end)?;
         let model = scene.model(Some(&self.model))?;
         if let Some(distances) = separation {
             let height_std = scene.file.scene.surface.asperity_height_std;

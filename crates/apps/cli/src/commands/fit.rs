@@ -12,7 +12,7 @@ use asperity_answer::{Cell, Sheet};
 use asperity_scene::{Free, SceneError, read_measurements};
 use clap::{ArgGroup, Args};
 
-use crate::input::args::{DrawnArgs, model_id};
+use crate::input::args::{DrawnArgs, EndArgs, model_id};
 use crate::input::numbers::{load, pressure};
 use crate::input::target::{metres, target};
 use crate::input::valid;
@@ -39,6 +39,8 @@ pub struct FitCommand {
     /// Measurements, a csv
     #[arg(value_name = "DATA", group = "source")]
     data: Option<PathBuf>,
+    #[command(flatten)]
+    end: EndArgs,
     /// Free parameters, at least one, each with bounds if these are given
     #[arg(long, value_name = "KEY[=A:B]", value_delimiter = ',', required = true)]
     free: Vec<Free>,
@@ -64,7 +66,7 @@ pub struct FitCommand {
 
 impl FitCommand {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load(&self.scene, &[])?;
+        let scene = LoadedScene::load(&self.scene, &[])?.taken_at(&self.end)?;
         let data = self.data(&scene)?;
         if self.models.iter().any(|id| id == Bem::ID) {
             let text = "--model bem: boundary elements are not fitted; `asperity list models` lists other models";

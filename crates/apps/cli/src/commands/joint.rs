@@ -11,7 +11,7 @@ use clap::Args;
 use clap::error::ErrorKind;
 
 use super::bem;
-use crate::input::args::{DrawnArgs, PressArgs, file_ending, loads, model_id, tolerance};
+use crate::input::args::{DrawnArgs, EndArgs, PressArgs, file_ending, loads, model_id, tolerance};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
@@ -37,6 +37,8 @@ pub struct Joint {
     /// Model by id, as listed by `asperity list models` [default: ke; gw without a hardness]
     #[arg(long, value_name = "M", value_parser = model_id)]
     model: Option<String>,
+    #[command(flatten)]
+    end: EndArgs,
     #[command(flatten)]
     place: Closed,
     /// Unloading laws of the asperities: hertz, brake, etsion, or several
@@ -136,7 +138,7 @@ impl Joint {
     pub fn run(self) -> Result<()> {
         let ids = self.model.as_slice();
         let press = self.press.of_models("joint", ids);
-        let scene = LoadedScene::load_pressing(&self.scene, ids, press)?;
+        let scene = LoadedScene::load_pressing(&self.scene, ids, press)?.taken_at(&self.end)?;
         let model = scene.one_or_usual(self.model.as_deref())?;
         let (laws, is_scan) = (once(&self.laws), model.id() == Bem::ID);
         if is_scan && laws != [UnloadingLaw::Hertz] {

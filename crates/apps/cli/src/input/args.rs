@@ -65,6 +65,15 @@ pub struct ModelArgs {
     pub tolerance: Tolerance,
 }
 
+/// Where numbers that are known within ranges are taken.
+#[derive(Debug, Clone, Args)]
+pub struct EndArgs {
+    /// Take every number that is known within a range at this end of it
+    #[arg(long, value_name = "END", default_value = "middle")]
+    #[arg(value_parser = PossibleValuesParser::new(["lower", "middle", "upper"]))]
+    pub at: String,
+}
+
 /// How boundary elements press a scan, in front of the options of the scene.
 #[derive(Debug, Clone, Copy, Default, Args)]
 pub struct PressArgs {

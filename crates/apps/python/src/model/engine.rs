@@ -176,7 +176,6 @@ impl Engine {
 
     /// The model on a scene; options of the model replace the scene's.
     pub(crate) fn on(&self, file: &SceneFile) -> PyResult<Model> {
-        file.need_known().map_err(value_error)?;
         self.with(file.spec.options, Some(file))
     }
 
@@ -185,7 +184,6 @@ impl Engine {
         if let [file] = files {
             return self.on(file);
         }
-        files.iter().try_for_each(|file| file.need_known()).map_err(value_error)?;
         if self.is_bem() {
             let (count, id) = (files.len(), Bem::ID);
             let text = format!("{count} scenes were given: {id} needs a single scene with a scan");

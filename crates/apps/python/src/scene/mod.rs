@@ -18,6 +18,9 @@ use crate::reading::found;
 use crate::records::{self, instance};
 use arguments::{KeyValue, heights_key, inputs, inputs_in_si, keys_of};
 
+/// For each number with a range whether each combination of ends has its upper end.
+type Uppers = BTreeMap<String, Vec<bool>>;
+
 /// Two bodies, their equivalent rough surface, and the nominal area of contact.
 ///
 /// Numbers are in SI units, or texts with their unit, as "100 mm2".
@@ -133,13 +136,13 @@ impl SceneFile {
     /// The two bodies.
     #[getter]
     fn interface<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        records::interface(py, &self.0.scene.interface, self.0.bodies())
+        let written = self.0.spec.bodies.interface().map_err(refused)?;
+        records::interface(py, &written, self.0.bodies())
     }
 
-    /// The equivalent rough surface; an error if it is known within ranges.
+    /// The equivalent rough surface, in the middle of its ranges.
     #[getter]
     fn surface<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        self.0.need_known().map_err(value_error)?;
         records::surface(py, &self.0.scene.surface, self.0.roughness())
     }
 
@@ -221,24 +224,27 @@ impl SceneFile {
         scenes.call1((slf, columns.unwrap_or(&PyDict::new(slf.py()))))
     }
 
+    /// The scene with every number that is known within a range at its "lower" or "upper" end, or in
+    /// the "middle", where answers in single numbers are calculated.
+    fn at(&self, end: &str) -> PyResult<Self> {
+        Ok(Self(Arc::new(self.0.taken_at(end).map_err(value_error)?.0)))
+    }
+
     /// One asperity of the surface with every input resolved.
     #[getter]
     fn asperity<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        self.0.need_known().map_err(value_error)?;
         records::record(py, &self.0.scene.asperity().map_err(refused)?)
     }
 
     /// The number of asperities: density times nominal area.
     #[getter]
     fn asperities(&self) -> PyResult<f64> {
-        self.0.need_known().map_err(value_error)?;
         Ok(self.0.scene.asperities())
     }
 
     /// The square root of height_std over the critical interference.
     #[getter]
     fn plasticity_index(&self) -> PyResult<f64> {
-        self.0.need_known().map_err(value_error)?;
         self.0.scene.plasticity_index().map_err(refused)
     }
 
@@ -308,16 +314,16 @@ impl SceneFile {
         Ok(arguments)
     }
 
-    /// The scene in the middle of the ranges of its surface, those at their ends, and the names of
-    /// the numbers that have a range; both lists are empty for a surface without ranges.
-    fn _corners(&self) -> PyResult<(Self, Vec<Self>, Vec<&'static str>)> {
-        let names: Vec<_> = self.0.spreads().into_iter().map(|(name, _)| name).collect();
+    /// The scene in the middle of its ranges, those at points of them, and for each number with a
+    /// range whether the points at the ends, which are the first, are at its upper end.
+    fn _points(&self) -> PyResult<(Vec<Self>, Uppers)> {
+        let points = self.0.points().map_err(refused)?;
+        let corners: Vec<Vec<bool>> = points.corners().collect();
+        let names = points.unknowns.into_iter().enumerate();
+        let names = names.map(|(k, one)| (one.name, corners.iter().map(|all| all[k]).collect()));
         let made = |file| Self(Arc::new(file));
-        if names.is_empty() {
-            return Ok((Self(self.0.clone()), vec![], names));
-        }
-        let (middle, corners) = self.0.corners().map_err(refused)?;
-        Ok((made(middle), corners.into_iter().map(made).collect(), names))
+        let scenes = [points.middle].into_iter().chain(points.all);
+        Ok((scenes.map(made).collect(), names.collect()))
     }
 
     /// The values of inputs by name, with numbers in SI units in the place of texts with a unit.
