@@ -28,10 +28,6 @@ pub fn with_ranges<T, E: From<AnswerError> + Send>(
     }
     let (middle, corners) = file.corners().map_err(AnswerError::from)?;
     let found = fill(&middle, sheet)?;
-    if sheet.heads.iter().any(|head| head.contains("_lower")) {
-        let text = "intervals by boundary elements are not combined with ranges of the surface: give rq, rdq and bandwidth without a finish, or a scan";
-        return Err(AnswerError::from(text).into());
-    }
     let filled = |corner: &SceneFile| {
         let mut at_corner = Sheet::default();
         fill(corner, &mut at_corner)?;
@@ -85,8 +81,9 @@ impl Ends<'_> {
             Some(_) => true,
             None => ANSWERS.iter().any(|end| sheet.heads[*column].ends_with(end)),
         };
-        let is_spread = |column: &usize| sheet.heads[*column].ends_with("_spread");
-        let columns = (0..sheet.heads.len()).filter(|column| !is_spread(column));
+        let has_own =
+            |column: &usize| sheet.column(&column_of_end(&sheet.heads[*column], ENDS[0])).is_some();
+        let columns = (0..sheet.heads.len()).filter(|column| !has_own(column));
         let columns = columns.filter(|column| is_answer(column) || differs(column));
         let columns: Vec<usize> = columns.collect();
         let mut blank = 0;
@@ -95,12 +92,19 @@ impl Ends<'_> {
             for row in 0..sheet.rows.len() {
                 let ends = self.numbers(sheet, row, column).map(|all| [least(&all), most(&all)]);
                 let cell = &mut sheet.rows[row][column];
+                if let Some(end) = of_interval(&sheet.heads[column]) {
+                    *cell = ends.map(|ends| ends[end]).into();
+                    continue;
+                }
                 if ends.is_none() && cell.number().is_some() {
                     *cell = Cell::BLANK;
                     blank += 1;
                 }
                 let ends = [0, 1].map(|end| Cell::from(ends.map(|ends| ends[end])));
                 sheet.rows[row].splice(column + 1..column + 1, ends);
+            }
+            if of_interval(&sheet.heads[column]).is_some() {
+                continue;
             }
             let heads = ENDS.map(|end| column_of_end(&sheet.heads[column], end));
             sheet.heads.splice(column + 1..column + 1, heads);
@@ -192,7 +196,7 @@ impl Ends<'_> {
 }
 
 /// Ends of the names of columns about models, beside the columns of quantities.
-const ANSWERS: [&str; 2] = ["_deviation", "_off_bem"];
+const ANSWERS: [&str; 1] = ["_deviation"];
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
 /// Why a number has no value where it is missing at an end.
@@ -204,6 +208,11 @@ fn least(numbers: &[f64]) -> f64 {
 
 fn most(numbers: &[f64]) -> f64 {
     numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Which end of an interval a column is.
+fn of_interval(head: &str) -> Option<usize> {
+    ENDS.iter().position(|end| head.contains(&format!("_{end}")))
 }
 
 /// The quantity of a column.

@@ -35,7 +35,7 @@ def test_one_scene_is_required_where_many_have_no_answer(scene: asperity.Scene) 
         lambda: KE.compile(wrong(many)),
         lambda: KE.unloading(wrong([scene, scene]), 1.0),
         lambda: asperity.export(KE, wrong(many), load=(1.0, 2.0), nodes=3),
-        lambda: asperity.recommend(wrong(many), 1.0),
+        lambda: asperity.plan(KE, wrong(many), 1.0),
     ):
         with pytest.raises(TypeError, match=advice):
             call()
@@ -80,11 +80,6 @@ def test_a_pixel_size_that_is_no_number_is_named() -> None:
     with pytest.raises(TypeError, match="^None is no"):
         asperity.Topography(np.zeros((8, 8)), dx=wrong(None), unit="um")
 
-
-def test_a_recommendation_at_a_load_compares_areas(scene: asperity.Scene) -> None:
-    compared = {"force_deviation", "area_deviation"}
-    assert compared & set(asperity.recommend(scene, load=10.0).columns) == {"area_deviation"}
-    assert compared & set(asperity.recommend(scene, 2.0).columns) == compared
 
 
 def test_options_of_other_models_may_differ_between_scenes(scene: asperity.Scene) -> None:

@@ -29,7 +29,6 @@ def test_keys_are_kept_and_single_numbers_refused() -> None:
         lambda: model.compile(ground),
         lambda: ground.surface,
         lambda: ground.plasticity_index,
-        lambda: asperity.recommend(ground, pressure=1e6),
     ):
         with pytest.raises(ValueError, match=r"ranges"):
             ask()

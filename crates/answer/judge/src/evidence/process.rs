@@ -2,8 +2,7 @@
 //! \[recalled\]): interpolates the means of the solved cases and gives the standard deviation of
 //! the interpolation.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
-
+use crate::evidence::cholesky::{Factor, dot};
 use crate::evidence::coordinates::Coordinates;
 
 /// Standard deviation of the constant.
@@ -63,21 +62,20 @@ impl Spread {
 pub(crate) struct Process {
     spread: Spread,
     inputs: Vec<Input>,
-    factor: Cholesky<f64, Dyn>,
-    weights: DVector<f64>,
+    factor: Factor,
+    weights: Vec<f64>,
 }
 
 impl Process {
     /// The surface through these values; `None` if there are none.
     pub(crate) fn through(solved: &[SolvedValue], spread: Spread) -> Option<Self> {
         let inputs: Vec<Input> = solved.iter().map(|solved| input(&solved.place)).collect();
-        let covariance = DMatrix::from_fn(solved.len(), solved.len(), |i, j| {
+        let factor = Factor::new(solved.len(), |i, j| {
             covariance(&inputs[i], &inputs[j], spread.amplitude)
                 + noise([&solved[i], &solved[j]], spread, i == j)
         });
-        let values = DVector::from_iterator(solved.len(), solved.iter().map(|solved| solved.value));
-        let factor = Cholesky::new(covariance).filter(|_| !solved.is_empty())?;
-        let weights = factor.solve(&values);
+        let factor = factor.filter(|_| !solved.is_empty())?;
+        let weights = factor.solve(solved.iter().map(|solved| solved.value).collect());
         Some(Self { spread, inputs, factor, weights })
     }
 
@@ -85,13 +83,11 @@ impl Process {
     pub(crate) fn at(&self, place: &Coordinates) -> [f64; 2] {
         let here = input(place);
         let of = |input: &Input| covariance(&here, input, self.spread.amplitude);
-        let shared = DVector::from_iterator(self.inputs.len(), self.inputs.iter().map(of));
-        let value = shared.dot(&self.weights);
-        let explained = self.factor.l_dirty().solve_lower_triangular(&shared);
+        let shared: Vec<f64> = self.inputs.iter().map(of).collect();
+        let value = dot(&shared, &self.weights);
         let family = self.spread.of_family(place).hypot(of_skewness(place)).powi(2);
-        let prior = of(&here) + family;
-        // The factor has a positive diagonal, so that there is a solution.
-        let variance = explained.map_or(prior, |part| prior - part.norm_squared());
+        let explained = self.factor.half_solve(shared);
+        let variance = of(&here) + family - dot(&explained, &explained);
         [value, variance.max(family).sqrt()]
     }
 }
@@ -111,10 +107,14 @@ fn input(place: &Coordinates) -> Input {
 /// Isotropic Gaussian surfaces change with load, bandwidth and hardness; the effect of a skewness
 /// or a lay adds to that, in proportion to it for small ones.
 fn covariance(a: &Input, b: &Input, amplitude: f64) -> f64 {
-    let near = |k: usize| (-0.5 * ((a[k] - b[k]) / LENGTHS[k]).powi(2)).exp();
-    let effect = |k: usize, unit: f64| unit * unit * a[k] * b[k] * near(k);
-    let parts = [amplitude * amplitude * near(1), effect(3, PER_SKEWNESS), effect(4, PER_SLOPES)];
-    CONSTANT * CONSTANT + near(0) * near(2) * parts.iter().sum::<f64>()
+    let square = |k: usize| -0.5 * ((a[k] - b[k]) / LENGTHS[k]).powi(2);
+    let effect = |k: usize, unit: f64| match a[k] * b[k] {
+        0.0 => 0.0,
+        both => unit * unit * both * square(k).exp(),
+    };
+    let parts =
+        amplitude * amplitude * square(1).exp() + effect(3, PER_SKEWNESS) + effect(4, PER_SLOPES);
+    CONSTANT * CONSTANT + (square(0) + square(2)).exp() * parts
 }
 
 /// The same surfaces stand behind all materials of a family, and partly behind its next loads.

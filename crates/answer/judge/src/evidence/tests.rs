@@ -242,19 +242,6 @@ fn families_left_out_lie_in_their_interval() {
     assert!(half <= 0.15, "{half}");
 }
 
-#[test]
-fn a_ratio_compares_a_model_with_the_estimate() {
-    let (scene, pressure) = (scene(8.0, 2.0), 0.01 * unit());
-    let found = Evidence::committed().unwrap().expected(&scene, None, pressure, None).unwrap();
-    let area = found.estimate(Compared::Area).unwrap();
-    let ratio = found.ratio(Compared::Area, 0.9 * area.value).unwrap();
-    assert!((ratio.ratio - 0.9).abs() < 1e-12 && ratio.low < 0.9 && ratio.high > 0.9);
-    assert!(found.ratio(Compared::Area, f64::NAN).is_none());
-    let gap = found.estimate(Compared::MeanGap).unwrap();
-    let ratio = found.ratio(Compared::MeanGap, gap.value + 0.1 * found.rms_height).unwrap();
-    assert!((ratio.ratio - 0.1).abs() < 1e-12, "{ratio:?}");
-}
-
 /// Tangent and unloading stiffness are interpolated one by one, and cross where little yields.
 #[test]
 fn the_unloading_stiffness_is_at_least_the_tangent() {

@@ -163,7 +163,7 @@ fn the_solved_surfaces_agree_or_differ() {
         resolved(&bench, skewness);
         let run =
             bench.run("bem --compare made.toml --pressure 2e8,1e9 --model gw,ke --format csv");
-        let line = run.results().into_iter().find(|line| line.starts_with("ke "));
+        let line = run.results().into_iter().find(|line| line.starts_with("real area "));
         assert!(line.is_some_and(|line| line.contains(shape)), "{}", run.messages);
     }
 }

@@ -12,7 +12,7 @@ fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
     let bench = Bench::new();
     bench.write("scene.toml", &conducting());
     let run = bench.run(
-        "curve scene.toml --separation 1 --quantity contact-radius-sum,thermal-conductance,electrical-conductance",
+        "curve scene.toml --model all --separation 1 --quantity contact-radius-sum,thermal-conductance,electrical-conductance",
     );
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(csv(&run.out).1.len(), 7, "gw to af");
@@ -80,9 +80,8 @@ fn what_a_conductance_needs_is_named() {
     let run = bench.run(joint);
     assert!(run.code == Some(1) && run.messages.contains("thermal_conductivity"));
     assert!(!run.messages.contains("not requested"), "{}", run.messages);
-    let corrected = "curve gas.toml --model ke --load 10 --quantity gap-conductance-per-area,area";
-    let run = bench.run(&format!("{corrected} --corrected"));
-    assert!(run.messages.contains("ke-corrected: ") && !run.messages.contains("not requested"));
+    let best = "curve gas.toml --model best --load 10 --quantity gap-conductance-per-area,area";
+    assert_eq!(bench.run(best).code, Some(0));
     let run =
         bench.run("curve scene.toml --model cmy --load 10 --quantity thermal-conductance-per-area");
     assert!(run.code == Some(1) && run.messages.contains("thermal_conductivity is missing"));

@@ -77,7 +77,7 @@ fn all_separations_of_a_load_are_rows_on_request() {
 #[test]
 fn models_beside_each_other_deviate_from_the_reference() {
     let bench = Bench::new();
-    let at_two = bench.data("curve scene.toml --separation 2 --reference jg");
+    let at_two = bench.data("curve scene.toml --model all --separation 2 --reference jg");
     let (head, rows) = csv(&at_two);
     assert_eq!(head[3..5], ["force_N", "force_deviation"]);
     assert_eq!(rows.len(), 9);

@@ -21,7 +21,7 @@ fn said(lines: &[&str]) -> String {
 #[test]
 fn curve() {
     let printed = said(&[
-        "curve scene.toml --model ke --load 1.5 --corrected --quantity area",
+        "curve scene.toml --model best --load 1.5 --quantity area",
         "curve scene.toml --model ke --load 10MN --quantity area",
         "curve scene.toml --model gw,gw-pairs --reference gw --load 100 --quantity area",
         "curve scene.toml --model ke --separation 40",
@@ -32,13 +32,16 @@ fn curve() {
     insta::assert_snapshot!(printed);
 }
 
+/// With what it prints.
 #[test]
-fn recommend() {
-    let printed = said(&[
-        "recommend scene.toml --model gw,ke --load 20000 --quantity area",
-        "recommend scene.toml --model gw,ke --load 100 --quantity area --within 0.01",
-    ]);
-    insta::assert_snapshot!(printed);
+fn answer() {
+    let bench = bench();
+    let lines = ["--load 100", "--pressure 1e8 --solve", "--load 1,100"];
+    let said = lines.map(|line| {
+        let run = bench.run(&format!("answer scan.toml {line}"));
+        format!("$ asperity answer scan.toml {line}\n{}{}", run.messages, run.out)
+    });
+    insta::assert_snapshot!(said.join("\n"));
 }
 
 #[test]
