@@ -1,8 +1,8 @@
 //! What is known best about a scene at loads, in the lines that a reader needs.
 
 use asperity::{
-    At, Best, BestContact, Compared, Datum, Described, Model, Other, Quantity, Request, Separation,
-    SeparationUnit, SolvedContact, Source, Tolerance,
+    At, Best, BestContact, Compared, ContactEngine, Datum, Described, Model, Other, Quantity,
+    Request, Separation, SeparationUnit, SolvedContact, Source, Tolerance,
 };
 use asperity_scene::SceneFile;
 
@@ -150,7 +150,7 @@ pub fn basis(best: &BestContact<Model>, quantities: &[Quantity], at: At) -> Basi
     let mut by: Vec<String> =
         grouped(compared.iter().filter_map(of)).into_iter().map(group).collect();
     let asked = quantities.iter().copied().map(Some).chain([None]);
-    let interval = asked.into_iter().find_map(|one| best.interval_of(one, at));
+    let interval = asked.into_iter().find_map(|one| best.interval_at(one, at));
     by.extend(interval.map(|interval| format!("between from and to: {}", interval.of)));
     by.extend(best.not_used(at).map(|why| format!("the solution on this scan is not used: {why}")));
     let (by, widest, also) = (by.join("; "), String::new(), also(best, at));
@@ -239,7 +239,7 @@ pub fn lines(file: &SceneFile, sheet: &Sheet) -> Sheet {
             let value = number(head).map(|value| value / factor);
             let shown = |x: Option<f64>| x.map_or("–".into(), |x| fixed(x, value.unwrap_or(x)));
             let ends = ends.map(|end| shown(end.map(|end| end / factor)));
-            let load = number("load_N").map_or(String::new(), in_words);
+            let load = number("load_N").map_or(String::new(), |load| in_words(load, "N"));
             let load = load.as_str();
             let texts = [label, &shown(value), &ends[0], &ends[1], &unit];
             let all = [load].into_iter().filter(|_| several).chain(texts);
@@ -252,15 +252,12 @@ pub fn lines(file: &SceneFile, sheet: &Sheet) -> Sheet {
 /// The load of an answer and its pressure: `at 20 kN, 50 MPa`.
 #[must_use]
 pub fn title(file: &SceneFile, at: At) -> String {
-    let of = |value: Option<f64>, unit| {
-        let (factor, unit) = prefixed(value?, unit);
-        Some(format!("{} {unit}", crate::rounded(value? / factor)))
-    };
-    let both = [of(at.load(&file.scene), "N"), of(at.pressure(&file.scene), "Pa")];
-    format!("at {}", both.into_iter().flatten().collect::<Vec<_>>().join(", "))
+    let [load, pressure] = [(at.load(&file.scene), "N"), (at.pressure(&file.scene), "Pa")]
+        .map(|(value, unit)| in_words(value.unwrap_or(0.0), unit));
+    format!("at {load}, {pressure}")
 }
 
-fn in_words(load: f64) -> String {
-    let (factor, unit) = prefixed(load, "N");
-    format!("{} {unit}", crate::rounded(load / factor))
+fn in_words(value: f64, unit: &str) -> String {
+    let (factor, unit) = prefixed(value, unit);
+    format!("{} {unit}", crate::rounded(value / factor))
 }

@@ -1,6 +1,6 @@
 //! The answer at a load as the page shows it, with what stands behind it.
 
-use asperity::{At, Best, BestContact, Compared, Described, Model, Severity};
+use asperity::{At, Best, BestContact, Code, Compared, Described, Model};
 use asperity_answer::{Basis, basis};
 use asperity_scene::SceneFile;
 use serde_json::{Value, json};
@@ -14,8 +14,6 @@ use crate::span::Load;
 /// the answer in the first two, area and stiffness.
 const FIRST: [(&str, Compared); 3] =
     [("%", Compared::Area), ("N/m", Compared::Stiffness), ("N/m", Compared::UnloadingStiffness)];
-/// The model that shows whether contacts yield, as it ignores that.
-pub(crate) const ELASTIC: &str = "gw";
 /// The model that is the answer.
 pub(crate) const BEST: &str = Best::<Model>::ID;
 
@@ -45,24 +43,26 @@ pub(crate) fn shown_row(best: &Row, row: &Row, columns: &[Column]) -> Value {
     })
 }
 
-/// The answer on the scene, the first of these, by its row, and what stands behind it; the elastic
-/// model shows whether contacts yield.
+/// The answer on the scene, the first of these, by its row, and what stands behind it.
 pub(crate) fn answer(
     row: &Row,
     (file, scenes, columns): (&SceneFile, &[SceneFile], &[Column]),
     contact: Option<&BestContact<Model>>,
     load: &Load,
-    elastic: &Row,
 ) -> Value {
     let mut indices = scenes.iter().map(|file| file.scene.plasticity_index().ok());
     let index = indices.next().flatten().map(|index| Known::new(index, None, Source::Model));
     let ends = indices.map(|index| Some(Known::new(index?, None, Source::Model)));
     let index = index.and_then(|index| index.within(ends));
-    let yields = match elastic.yields {
+    // An elastic model is not valid where they do.
+    let yields = |best: &BestContact<Model>| {
+        let invalid = best.others(load.at).into_iter().filter_map(|other| other.outside);
+        invalid.map(|why| why.code).any(|code| code == Code::Yields)
+    };
+    let yields = match contact.is_some_and(yields) {
         _ if index.is_none() => "no hardness: elastic",
-        None => "nothing yields",
-        Some(Severity::Note) => "a few contacts yield",
-        Some(_) => "contacts yield",
+        true => "contacts yield",
+        false => "hardly any contact yields",
     };
     let of_index = Column::new(["plasticity_index", "", "plasticity index"], String::new());
     let first = FIRST.iter().zip(&columns[1..]).enumerate().map(|(k, ((unit, of), column))| {

@@ -209,8 +209,6 @@ pub(crate) struct Row {
     pub(crate) reason: Option<String>,
     /// Why no contact has them.
     pub(crate) mark: Option<String>,
-    /// How the model ignores yielding, if it does.
-    pub(crate) yields: Option<Severity>,
     /// Why the load is out of its range.
     pub(crate) outside: Option<String>,
     pub(crate) findings: Findings,
@@ -232,7 +230,6 @@ impl Row {
         };
         let mark = found.iter().find(is_impossible).filter(|_| !file.findings().are_implausible());
         row.mark = mark.map(|found| message(found, false));
-        row.yields = found.iter().find(|one| one.code == Code::Yields).map(|one| one.severity);
         let is_outside = |one: &&Finding| {
             one.code.is_of_model() && one.code != Code::Yields && one.severity != Severity::Note
         };

@@ -8,7 +8,7 @@ use asperity_scene::{HandedFiles, SceneFile};
 use asperity_topography::Topography;
 use serde_json::{Value, json};
 
-use crate::advice::{BEST, ELASTIC};
+use crate::advice::BEST;
 use crate::answer::Row;
 use crate::files::{admit, usable};
 use crate::message::{Message, Solved};
@@ -203,7 +203,7 @@ impl Desk {
     ) -> Result<Value, Refusal> {
         let load = Load::of(load, &self.scene()?.scene)?;
         self.take_solved(solved);
-        self.compile(models.iter().map(String::as_str).chain([BEST, ELASTIC]));
+        self.compile(models.iter().map(String::as_str).chain([BEST]));
         let Self { file: Some(file), scenes, compiled, best, .. } = self else {
             return Err(no_scene());
         };
@@ -224,13 +224,7 @@ impl Desk {
         if here.is_some() && best.as_ref().is_some_and(|best| best.is_solved(load.at)) {
             answered.solved();
         }
-        let mut answer = advice::answer(
-            &answered,
-            (file, scenes, &columns),
-            best.as_ref(),
-            &load,
-            &row(ELASTIC),
-        );
+        let mut answer = advice::answer(&answered, (file, scenes, &columns), best.as_ref(), &load);
         let shown = |row: &Row| advice::shown_row(&answered, row, &columns);
         answer["solved"] = here.map(|solved| shown(&solved.row(&columns))).into();
         let scene = &scenes[0];

@@ -247,12 +247,6 @@ impl<M: Answering> BestContact<M> {
         found.ok_or_else(|| self.lacks(quantity))
     }
 
-    /// The interval of a quantity, or of the mean gap \[m\].
-    #[must_use]
-    pub fn interval_of(&self, quantity: Option<Quantity>, at: At) -> Option<Interval> {
-        self.interval_at(quantity, at)
-    }
-
     /// The load \[N\] at a place.
     fn load(&self, at: At) -> Result<Evaluation, ContactError> {
         if let Some(load) = at.load(&self.scene) {

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::evidence::Evidence;
 use crate::evidence::case::Compared;
-use crate::evidence::coordinates::{Coordinates, SurfaceShape, gradient};
+use crate::evidence::coordinates::{Coordinates, LEAST_HURST, SurfaceShape, gradient};
 use asperity_core::{ContactError, Scene, short};
 
 /// With fewer contacts, scatter alone exceeds the widest interval.
@@ -16,7 +16,6 @@ const FEWEST: f64 = 4.0;
 /// Spectra of at least this α whose Hurst exponent is below the second number have no stiffness and
 /// gap: 12 and 16 of 30 were in their interval at exponents of 0.3 to 0.5.
 const BROAD: f64 = 10.0;
-const LEAST_HURST: f64 = 0.6;
 
 /// Boundary elements at a load, interpolated between solved surfaces.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -108,14 +107,8 @@ impl ExpectedContact {
             false => text += ", elastic",
         }
         text.extend(self.shape.differences().into_iter().map(|part| format!(", {part}")));
-        format!("{text}; {}", self.solved())
-    }
-
-    /// What was solved: `boundary elements on 16 surfaces`.
-    #[must_use]
-    pub fn solved(&self) -> String {
         let hurst = if self.needs_hurst() { ", for a Hurst exponent near 0.8" } else { "" };
-        format!("boundary elements on {} surfaces{hurst}", self.surfaces)
+        format!("{text}; boundary elements on {} surfaces{hurst}", self.surfaces)
     }
 }
 

@@ -88,28 +88,6 @@ impl Evidence {
         })
     }
 
-    /// The solved cases of isotropic Gaussian surfaces in one line: `alpha 3.1, 7.5, 29.5, elastic
-    /// and psi 1, 2, 4, p/(E g) from 0.001 to 0.2`.
-    #[must_use]
-    pub fn solved(&self) -> String {
-        let each = |of: fn(&EvidenceCase) -> f64| {
-            let plain = |case: &&EvidenceCase| case.skewness == 0.0 && case.slope_ratio <= 1.0;
-            let plain = self.cases.iter().filter(plain);
-            let mut all: Vec<f64> = plain.map(of).filter(|x| *x > 0.0).collect();
-            all.sort_by(f64::total_cmp);
-            all.dedup();
-            all
-        };
-        let listed = |all: Vec<String>| all.join(", ");
-        let alpha = each(|case| case.alpha).iter().map(|x| format!("{x:.1}")).collect();
-        let index = each(|case| case.plasticity_index).iter().map(ToString::to_string).collect();
-        let loads = each(|case| case.load);
-        let end = |load: Option<&f64>| load.map_or_else(String::new, ToString::to_string);
-        let [lightest, heaviest] = [loads.first(), loads.last()].map(end);
-        let (alpha, index) = (listed(alpha), listed(index));
-        format!("alpha {alpha}, elastic and psi {index}, p/(E g) from {lightest} to {heaviest}")
-    }
-
     /// All cases, ordered by surface, material and load.
     #[must_use]
     pub fn cases(&self) -> &[EvidenceCase] {

@@ -34,14 +34,6 @@ fn the_committed_table_is_complete() {
     assert!(Evidence::CSV.len() < 150_000, "{}", Evidence::CSV.len());
 }
 
-/// Other texts repeat the line of `solved`.
-#[test]
-fn the_solved_cases_are_listed() {
-    let solved = Evidence::committed().unwrap().solved();
-    assert!(solved.starts_with("alpha 3.1, 7.5, 29.5, 76.9, 135.1, "), "{solved}");
-    assert!(solved.ends_with(", p/(E g) from 0.00001 to 0.3"), "{solved}");
-}
-
 /// A model without evidence may stand: the table knows nothing of models.
 #[test]
 fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {

@@ -120,6 +120,16 @@ class Scene:
     asperity: Final[Asperity]
     asperities: Final[float]
     plasticity_index: Final[float]
+    def answer(
+        self,
+        quantities: str | Sequence[str] | None = None,
+        *,
+        load: npt.ArrayLike | None = None,
+        pressure: npt.ArrayLike | None = None,
+        rtol: _Float = 1e-10,
+        solve: bool = False,
+        solved: Table | None = None,
+    ) -> Answer: ...
     def flow_factors(
         self,
         lambda_ratio: Sequence[float],
