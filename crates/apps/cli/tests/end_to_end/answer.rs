@@ -73,6 +73,12 @@ fn every_way_to_an_answer_gives_the_same_digits() {
         assert!((row[2] * 1e-4 / tangent - 1.0).abs() < 1e-8, "{row:?} {tangent}");
     }
     assert_eq!(table.len(), 2);
+    let apart = bench.run("export ground-steel.toml --model best --as csv --pressure 1e-3:1e7:9");
+    assert!(
+        apart.code == Some(1) && apart.messages.contains("evidence ends"),
+        "{}",
+        apart.messages
+    );
 }
 
 #[test]
