@@ -1,7 +1,5 @@
 #![doc = include_str!("../README.md")]
 
-#[cfg(feature = "evidence")]
-mod recommend;
 mod registry;
 
 #[doc = include_str!("../DEFINITIONS.md")]
@@ -34,6 +32,4 @@ pub use asperity_pairs::AsperityPairs;
 pub use asperity_persson::{Persson, PerssonVariance, Spectrum};
 pub use asperity_random::RandomAsperities;
 pub use asperity_zmc::ZhaoMaiettaChang;
-#[cfg(feature = "evidence")]
-pub use recommend::{Comparison, Recommendation, recommend};
 pub use registry::{Asperities, Model};

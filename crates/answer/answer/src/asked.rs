@@ -1,13 +1,10 @@
 //! A model on a scene, compiled once for what is asked of it.
 
-use std::sync::Arc;
-
 use asperity::film::{PatirCheng, not_gaussian};
 use asperity::joints::conductance::gap_conductance;
 use asperity::{
-    ATOMIC_DISTANCE, At, Contact, ContactError, ContactModel, Corrected, Datum, Evaluation,
-    Finding, Findings, Model, Quantity, Request, Separation, SeparationUnit, Severity,
-    compile_compared, compile_known, short,
+    ATOMIC_DISTANCE, At, Contact, ContactError, ContactModel, Datum, Evaluation, Finding, Findings,
+    Interval, Model, Quantity, Request, Separation, SeparationUnit, Severity, compile_known, short,
 };
 use asperity_scene::{Gas, SceneFile};
 
@@ -22,7 +19,7 @@ const CONTACTS: Quantity = Quantity::ThermalConductancePerArea;
 #[derive(Debug)]
 pub struct Asked {
     model: Model,
-    contact: Arc<dyn Contact>,
+    contact: Box<dyn Contact>,
     request: Request,
     /// The factors of flow, where some are asked for.
     flow: Option<PatirCheng>,
@@ -46,11 +43,15 @@ pub struct Line {
     pub film: [Option<f64>; 2],
     /// One for each quantity of the request, or the reason why there is none.
     pub values: Vec<Result<Evaluation, ContactError>>,
+    /// Their intervals, where the model knows one.
+    pub intervals: Vec<Option<Interval>>,
+    /// The interval of the separation \[m\] from the plane of the scene, likewise.
+    pub between: Option<[f64; 2]>,
 }
 
 impl Asked {
     /// Compiles the model for the requested quantities that it has, and for those by which answers
-    /// are judged; if `corrected`, also for those that are compared with boundary elements.
+    /// are judged.
     ///
     /// # Errors
     /// The reason why the scene refuses the model or its factors of flow.
@@ -58,7 +59,7 @@ impl Asked {
         file: &SceneFile,
         model: &Model,
         request: &Request,
-        (all, corrected): (bool, bool),
+        all: bool,
     ) -> Result<Self, AnswerError> {
         let scene = &file.scene;
         let asked = |is: fn(&Quantity) -> bool| request.quantities.iter().any(is);
@@ -84,11 +85,9 @@ impl Asked {
         };
         // Without any quantity, the separations are still known.
         let otherwise = [Quantity::Force];
-        let (contact, refused) = compile_known(&of_model, &otherwise, |quantities| {
-            if corrected { compile_compared(quantities, alone) } else { alone(quantities) }
-        })?;
+        let (contact, refused) = compile_known(&of_model, &otherwise, alone)?;
         let (model, request) = (model.clone(), request.clone());
-        Ok(Self { model, contact: contact.into(), request, flow, gas, refused, all })
+        Ok(Self { model, contact, request, flow, gas, refused, all })
     }
 
     /// The model.
@@ -128,21 +127,6 @@ impl Asked {
         [found, file.accepted(notes.into_iter().chain(of_flow).collect())]
     }
 
-    /// The model over its expected ratio to boundary elements.
-    ///
-    /// # Errors
-    /// The errors of [`Corrected::of`], and the reason why no solved surface is like the scan.
-    pub fn corrected(&self, file: &SceneFile) -> Result<Corrected, ContactError> {
-        let of_film = self.request.quantities.iter().filter(|quantity| quantity.is_of_film());
-        let of_film = of_film.map(|quantity| {
-            let what = format!("{quantity}, which follows from the film and is not corrected");
-            (*quantity, ContactError::Unsupported { model: self.model.id().into(), what })
-        });
-        let refused = self.refused.iter().cloned().chain(of_film).collect();
-        let contact = self.contact.clone();
-        Corrected::of(&self.model, contact, refused, file.surface_shape()?)
-    }
-
     /// The quantities that the model does not have, by their reasons.
     #[must_use]
     pub fn refusals(&self) -> Vec<String> {
@@ -177,7 +161,7 @@ impl Asked {
         let mut columns: Vec<_> =
             response.columns.drain(..).map(|column| column.rows.into_iter()).collect();
         let rows = places.into_iter().zip(response.separations);
-        let lines = rows.map(|((given, _), separation)| {
+        let lines = rows.map(|((given, at), separation)| {
             let separation = separation.map_err(|reason| *reason);
             let (places, film) = self.separations(file, &separation);
             let mut found = columns.iter_mut().filter_map(Iterator::next);
@@ -192,9 +176,21 @@ impl Asked {
                 }
             };
             let values = self.request.quantities.iter().map(value).collect();
-            Line { given, separation: places, film, values }
+            let interval = |quantity: &Quantity| self.contact.interval(*quantity, at);
+            let intervals = self.request.quantities.iter().map(interval).collect();
+            let between = self.contact.interval_at(None, at).and_then(|of| self.between(file, &of));
+            Line { given, separation: places, film, values, intervals, between }
         });
         (lines.collect(), response.warnings)
+    }
+
+    /// The interval of the mean gap from the plane of the scene \[m\].
+    fn between(&self, file: &SceneFile, of: &Interval) -> Option<[f64; 2]> {
+        let end = |gap| {
+            let gap = Separation::metres(gap).from_surface_mean();
+            measured(file, self.contact.scene(), gap, SeparationUnit::Metres).ok()
+        };
+        Some([end(of.lower)?, end(of.upper)?])
     }
 
     /// A separation in σ_z and in metres, from the plane of the scene, and as a film.

@@ -1,7 +1,9 @@
 //! What is asked of a scene: models, quantities and places, and how the answer is shown.
 
 use asperity::recommended::JKR;
-use asperity::{At, Code, ContactError, Described, Evaluation, Findings, Model, Quantity, Request};
+use asperity::{
+    At, Best, Code, ContactError, Described, Evaluation, Findings, Model, Quantity, Request,
+};
 use asperity_scene::SceneFile;
 
 use crate::asked::{Asked, Line};
@@ -43,8 +45,6 @@ pub enum Beside {
     Errors,
     /// The deviation from this model, row by row in the order of places.
     Deviations(Model),
-    /// The ends of an interval, in rows that are corrected by solved surfaces.
-    Intervals,
 }
 
 impl<'s> Inquiry<'s> {
@@ -56,8 +56,9 @@ impl<'s> Inquiry<'s> {
         Self { file, models, request, beside, all, films, at_defaults }
     }
 
-    /// Fills a sheet: model, load and pressure at loads, separation, and the quantities. Values
-    /// that do not exist are blank; findings give the reasons.
+    /// Fills a sheet: model, load and pressure at loads, separation, and the quantities, with the
+    /// ends of the intervals that `best` knows. Values that do not exist are blank; findings give
+    /// the reasons.
     ///
     /// # Errors
     /// The reason why the scene refuses a model, and an error if all rows are blank; the sheet has
@@ -91,9 +92,6 @@ impl<'s> Inquiry<'s> {
                 let wanted = wanted.get(sheet.rows.len() - first);
                 sheet.rows.push(self.row(place, &line, wanted));
             });
-            if matches!(self.beside, Beside::Intervals) {
-                self.add_corrected(model.id(), asked, first, sheet, &mut found);
-            }
         }
         // All models of one place together.
         let places = wanted.len();
@@ -114,7 +112,7 @@ impl<'s> Inquiry<'s> {
     }
 
     /// The columns for the model and for the load or separation.
-    pub(crate) fn place_heads(&self) -> Vec<&'static str> {
+    fn place_heads(&self) -> Vec<&'static str> {
         if self.is_of_bodies() {
             let at_loads = matches!(self.request.at.first(), Some(At::Load(_)));
             return if at_loads { vec!["model", "load_N"] } else { vec!["model", "approach_m"] };
@@ -134,20 +132,23 @@ impl<'s> Inquiry<'s> {
         let quantities = &self.request.quantities;
         for quantity in quantities {
             heads.push(quantity.column());
-            match self.beside {
-                Beside::Nothing | Beside::Errors => {}
-                Beside::Deviations(_) => heads.push(column_beside(*quantity, "deviation")),
-                Beside::Intervals => {
-                    heads.extend(ENDS.map(|end| column_of_end(&quantity.column(), end)));
-                }
+            let ends = ENDS.map(|end| column_of_end(&quantity.column(), end));
+            heads.extend(ends.into_iter().filter(|_| self.has_intervals()));
+            if matches!(self.beside, Beside::Deviations(_)) {
+                heads.push(column_beside(*quantity, "deviation"));
             }
         }
-        match self.beside {
-            Beside::Errors => heads.extend(quantities.iter().map(|q| column_beside(*q, "error"))),
-            Beside::Intervals => heads.extend(ENDS.map(|end| column_of_end("separation_m", end))),
-            _ => {}
+        if matches!(self.beside, Beside::Errors) {
+            heads.extend(quantities.iter().map(|q| column_beside(*q, "error")));
         }
+        let ends = ENDS.map(|end| column_of_end("separation_m", end));
+        heads.extend(ends.into_iter().filter(|_| self.has_intervals()));
         heads
+    }
+
+    /// Whether one of the models knows intervals.
+    fn has_intervals(&self) -> bool {
+        self.models.iter().any(|model| model.id() == Best::<Model>::ID)
     }
 
     /// A row with the cells of its place; `wanted` has the values of the reference.
@@ -155,21 +156,21 @@ impl<'s> Inquiry<'s> {
         let quantities = &self.request.quantities;
         for (k, (value, &quantity)) in line.values.iter().zip(quantities).enumerate() {
             row.push(cell(value));
-            match (&self.beside, wanted) {
-                (Beside::Intervals, _) => row.extend([Cell::BLANK; 2]),
-                (_, Some(wanted)) => {
-                    let both = value.as_ref().ok().zip(wanted.values[k].as_ref().ok());
-                    row.push(both.and_then(|(a, b)| a.deviation(b, quantity)).into());
-                }
-                _ => {}
+            if self.has_intervals() {
+                let of = line.intervals[k].as_ref();
+                row.extend([of.map(|of| of.lower), of.map(|of| of.upper)].map(Cell::from));
+            }
+            if let Some(wanted) = wanted {
+                let both = value.as_ref().ok().zip(wanted.values[k].as_ref().ok());
+                row.push(both.and_then(|(a, b)| a.deviation(b, quantity)).into());
             }
         }
         if matches!(self.beside, Beside::Errors) {
             let values = line.values.iter().zip(quantities);
             row.extend(values.map(|(v, q)| Cell::from(v.as_ref().ok().map(|v| v.bound(*q)))));
         }
-        if matches!(self.beside, Beside::Intervals) {
-            row.extend([Cell::BLANK; 2]);
+        if self.has_intervals() {
+            row.extend([0, 1].map(|end| Cell::from(line.between.map(|ends| ends[end]))));
         }
         row
     }
@@ -177,8 +178,7 @@ impl<'s> Inquiry<'s> {
     /// Compiles a model for what is asked.
     fn prepare(&self, model: &Model, watch: &dyn Watch) -> Result<Asked, AnswerError> {
         watch.progress(model.id());
-        let corrected = matches!(self.beside, Beside::Intervals);
-        let asked = Asked::new(self.file, model, &self.request, (self.all, corrected));
+        let asked = Asked::new(self.file, model, &self.request, self.all);
         let placed = |error| match error {
             AnswerError::Contact(error) => match self.file.at_its_key(error) {
                 Ok(placed) => AnswerError::Scene(placed),
@@ -247,7 +247,7 @@ impl<'s> Inquiry<'s> {
     }
 
     /// The cells of a line's place.
-    pub(crate) fn place(&self, id: &str, line: &Line) -> Vec<Cell> {
+    fn place(&self, id: &str, line: &Line) -> Vec<Cell> {
         if self.is_of_bodies() {
             let approach = line.separation[1].as_ref().ok().map(|metres| -metres);
             let place = match line.given {
@@ -263,7 +263,7 @@ impl<'s> Inquiry<'s> {
     }
 
     /// Load and pressure, as far as the sheet has columns for them.
-    pub(crate) fn loads_at(&self, at: At) -> impl Iterator<Item = Option<f64>> {
+    fn loads_at(&self, at: At) -> impl Iterator<Item = Option<f64>> {
         let scene = &self.file.scene;
         let films = if self.films { FILMS.len() } else { 0 };
         let loads = self.place_heads().len() - 3 - films;

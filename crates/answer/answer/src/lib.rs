@@ -1,10 +1,10 @@
 #![doc = include_str!("../README.md")]
 
+mod answer;
 mod asked;
 mod bem;
 mod blanks;
 mod check;
-mod corrected;
 mod error;
 mod export;
 mod history;
@@ -14,7 +14,6 @@ mod number;
 mod patch;
 mod pull_off;
 mod ranges;
-mod recommend;
 mod sheet;
 mod sliding;
 mod slip;
@@ -25,6 +24,7 @@ mod unloading;
 mod unloading_scan;
 mod watch;
 
+pub use answer::{Answer, Basis, basis, lines, solve, title};
 pub use asked::{Asked, Line};
 pub use bem::{FLOWS, Press, Pressed, half_grid};
 pub use blanks::Blanks;
@@ -34,13 +34,13 @@ pub use export::{ConductanceAgainst, Export, Exported, TableFormat, UnitSystem};
 pub use history::history;
 pub use inquiry::{ADHESIVE, Beside, ENDS, Inquiry, OPENING, column_of_end};
 pub use models::{
-    ALL_MODELS, models, once, one_model, one_or_usual, scene_findings, use_asperities,
+    ALL_MODELS, best_and_nearest, models, of_joint, once, one_model, one_or_usual, scene_findings,
+    use_asperities,
 };
 pub use number::{rounded, within};
 pub use patch::patch;
 pub use pull_off::pull_off;
 pub use ranges::{NO_RANGE, with_ranges};
-pub use recommend::Recommend;
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};
 pub use subject::{Subject, unit_warning};

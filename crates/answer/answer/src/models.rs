@@ -3,8 +3,8 @@
 use asperity::bem::Bem;
 use asperity::recommended::YIELDING;
 use asperity::{
-    Code, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request, Severity,
-    usual_reference,
+    At, Best, Code, Compared, ContactError, ContactModel, Described, Finding, Findings, Model,
+    Quantity, Request, Severity, Tolerance, usual_reference,
 };
 use asperity_scene::{LeftOut, SceneFile};
 
@@ -49,6 +49,43 @@ pub fn one_or_usual(
         sheet.findings.push(found.from_origin(name));
     }
     Ok(model)
+}
+
+/// The model for a joint: for `best` the valid model that is nearest to it in stiffness at a place,
+/// as a joint unloads along the law of one model; a note says which.
+///
+/// # Errors
+/// The errors of the scene.
+pub fn of_joint(
+    file: &SceneFile,
+    model: Model,
+    at: At,
+    sheet: &mut Sheet,
+) -> Result<Model, AnswerError> {
+    if model.id() != Best::<Model>::ID {
+        return Ok(model);
+    }
+    let best = file.best().on(&file.scene, Tolerance::default())?;
+    let by = best.by(Compared::Stiffness, at).ok_or("best has no model for this joint")?.clone();
+    sheet.note(
+        Code::DefaultModel,
+        format!("best: a joint follows one law, here that of {}", by.id()),
+    );
+    Ok(by)
+}
+
+/// What is known best, and the valid model that is nearest to it in stiffness, which has all
+/// quantities: the models that are shown where none is named.
+///
+/// # Errors
+/// The errors of the scene.
+pub fn best_and_nearest(file: &SceneFile, request: &Request) -> Result<Vec<String>, AnswerError> {
+    let middle = file.middle()?;
+    let best = middle.best().on(&middle.scene, request.tolerance)?;
+    let at = request.at.get(request.at.len() / 2).copied().unwrap_or(At::from(2.0));
+    let nearest = best.by(Compared::Stiffness, at).map(|model| model.id());
+    let ids = [Best::<Model>::ID].into_iter().chain(nearest);
+    Ok(ids.map(String::from).collect())
 }
 
 /// The models given, of which some may be refused where they are compiled, or all of those

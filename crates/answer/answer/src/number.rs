@@ -18,6 +18,26 @@ pub fn within(x: f64, tolerance: Tolerance) -> f64 {
     format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
 }
 
+/// Decimal prefixes.
+const PREFIXES: [(f64, &str); 7] =
+    [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "u"), (1e-9, "n")];
+
+/// The factor and the name of a unit with a decimal prefix that suits a value.
+pub(crate) fn prefixed(value: f64, unit: &str) -> (f64, String) {
+    let fits = |(factor, _): &(f64, &str)| value.abs() >= *factor && !unit.is_empty();
+    let (factor, prefix) = PREFIXES.into_iter().find(fits).unwrap_or((1.0, ""));
+    (factor, format!("{prefix}{unit}"))
+}
+
+/// A number with as many decimals as `like` has with three digits, trailing zeros kept.
+pub(crate) fn fixed(x: f64, like: f64) -> String {
+    match like.abs() {
+        0.0 => format!("{x}"),
+        small @ ..1e-3 if small > 0.0 => format!("{x:.2e}"),
+        size => format!("{x:.*}", (2.0 - size.log10().floor()).clamp(0.0, 12.0) as usize),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

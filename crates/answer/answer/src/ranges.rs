@@ -84,10 +84,8 @@ impl Ends<'_> {
             Some(_) => true,
             None => ANSWERS.iter().any(|end| sheet.heads[*column].ends_with(end)),
         };
-        let has_own = |column: &usize| {
-            let head = &sheet.heads[*column];
-            head.ends_with("_spread") || sheet.column(&column_of_end(head, ENDS[0])).is_some()
-        };
+        let has_own =
+            |column: &usize| sheet.column(&column_of_end(&sheet.heads[*column], ENDS[0])).is_some();
         let columns = (0..sheet.heads.len()).filter(|column| !has_own(column));
         let columns = columns.filter(|column| is_answer(column) || differs(column));
         let columns: Vec<usize> = columns.collect();
@@ -187,7 +185,7 @@ impl Ends<'_> {
 }
 
 /// Ends of the names of columns about models, beside the columns of quantities.
-const ANSWERS: [&str; 2] = ["_deviation", "_off_bem"];
+const ANSWERS: [&str; 1] = ["_deviation"];
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
 /// Why a number has no value where it is missing at an end.

@@ -6,12 +6,8 @@ use crate::Compared;
 const MOST_LISTED: usize = 3;
 
 impl Compared {
-    /// The quantities in which models are ranked, with their names in the program.
-    pub const RANKED: [(Self, &str); 3] = [
-        (Self::Area, "area"),
-        (Self::Stiffness, "stiffness in first loading"),
-        (Self::UnloadingStiffness, "unloading stiffness and conductances"),
-    ];
+    /// The quantities in which models are ranked.
+    pub const RANKED: [Self; 3] = [Self::Area, Self::Stiffness, Self::UnloadingStiffness];
 }
 
 /// The models nearest to boundary elements in a quantity of this name, each with its largest
@@ -46,23 +42,23 @@ fn nearest<'m>(
 ///     "ke" => Some(-0.13),
 ///     _ => None,
 /// }];
-/// let found = nearest_in_each(["gw", "ke", "gao"], off, &[(Compared::Area, "area")]);
-/// assert_eq!(found, ["nearest to boundary elements in area are ke (13 % low), gw (40 % low)"]);
+/// let found = nearest_in_each(["gw", "ke", "gao"], off, &[Compared::Area]);
+/// assert_eq!(found, ["nearest to boundary elements in real area are ke (13 % low), gw (40 % low)"]);
 /// ```
 #[must_use]
 pub fn nearest_in_each<'m>(
     models: impl IntoIterator<Item = &'m str>,
     off: impl Fn(&str, Compared) -> Vec<Option<f64>>,
-    names: &[(Compared, &str)],
+    quantities: &[Compared],
 ) -> Vec<String> {
     let ids: Vec<&str> = models.into_iter().collect();
-    let of = |(quantity, name): &(Compared, &str)| {
-        nearest(name, ids.iter().map(|id| (*id, off(id, *quantity))))
+    let of = |quantity: &Compared| {
+        nearest(quantity.label(), ids.iter().map(|id| (*id, off(id, *quantity))))
     };
-    let found: Vec<String> = names.iter().filter_map(of).collect();
+    let found: Vec<String> = quantities.iter().filter_map(of).collect();
     match found.is_empty() {
         true => {
-            let names: Vec<&str> = names.iter().map(|(_, name)| *name).collect();
+            let names: Vec<&str> = quantities.iter().map(|of| of.label()).collect();
             vec![format!(
                 "no model can be compared with boundary elements in {} everywhere",
                 names.join(" or ")

@@ -19,6 +19,11 @@ pub const BEM: &str = "bem";
 pub const WHOLE_SURFACE: &str =
     "boundary elements, persson-plastic, or persson-fudge if nothing yields";
 
+/// Models of which the first valid one answers where there is no evidence; those with adhesion where
+/// it matters.
+pub const ANSWERING: [&str; 8] =
+    ["ke", "zmc", "jg", "gw", "persson-plastic", "persson-fudge", "jkr", "dmt"];
+
 /// The id of the default reference model: `ke`, or `gw` without a hardness.
 ///
 /// ```

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity::{ContactError, Model, Recommendation, Request, SurfaceShape, recommend_among};
+use asperity::{ContactError, SurfaceShape};
 use asperity_topography::{PowerLaw, Spectra, Statistics};
 
 use crate::measured::Scan;
@@ -13,30 +13,6 @@ use crate::spec::SurfaceSpec;
 pub(crate) const KURTOSIS: [f64; 2] = [2.0, 5.0];
 
 impl SceneFile {
-    /// [`recommend_among`](asperity::recommend_among) these models on the scene, with the skewness
-    /// and the lay of its scan; a scan that differs in kind from the solved surfaces has no
-    /// evidence.
-    ///
-    /// # Errors
-    /// Those of [`recommend_among`](asperity::recommend_among).
-    pub fn recommend_among(
-        &self,
-        models: Vec<Model>,
-        request: &Request,
-        reference: &Model,
-        within: f64,
-    ) -> Result<Recommendation, ContactError> {
-        let (shape, unlike) = match self.surface_shape() {
-            Ok(shape) => (shape, None),
-            Err(reason) => (None, Some(reason)),
-        };
-        let advice = recommend_among(models, &self.scene, shape, request, reference, within)?;
-        Ok(match unlike {
-            Some(reason) => advice.without_evidence(&reason),
-            None => advice,
-        })
-    }
-
     /// The skewness, the ratio of slopes and the Hurst exponent of the scan, for evidence from
     /// solved surfaces; `None` without a scan.
     ///
@@ -87,7 +63,7 @@ impl SceneFile {
 
 #[cfg(test)]
 mod tests {
-    use asperity::{At, Quantity};
+    use asperity::{At, Tolerance};
     use asperity_topography::Topography;
 
     use super::*;
@@ -114,16 +90,14 @@ mod tests {
         Measured { statistics, pixel_size: 1e-6, long_wavelength: None }.into()
     }
 
-    /// A verdict by boundary elements, or the shape beyond that of the solved surfaces.
+    /// What stands behind an answer, or the shape beyond that of the solved surfaces.
     fn summary(scan: &Topography) -> String {
         let mut file = crate::parse(crate::template(), std::path::Path::new(".")).unwrap();
         let statistics = scan.statistics(asperity_topography::Estimator::Moments).unwrap();
         file.scene.surface = statistics.surface().unwrap();
         file.measured = Some(measured(statistics));
-        let request = Request::new([Quantity::Area]).at([At::Pressure(1e6)]);
-        let ke = file.model("ke").unwrap();
-        let verdict = file.recommend_among(vec![ke.clone()], &request, &ke, 0.1).unwrap();
-        verdict.summary().join("\n")
+        let best = file.best().on(&file.scene, Tolerance::default()).unwrap();
+        best.basis(At::Pressure(1e6)).unwrap_or_else(|reason| reason.to_string())
     }
 
     #[test]

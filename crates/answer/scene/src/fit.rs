@@ -6,7 +6,7 @@ use asperity::fit::{
     Data, Fit, FitError, Fitted, Measured, MeasuredTable, Observation, Parameter, Progress, Rig,
     Role, USUAL_FACTOR, places, predict,
 };
-use asperity::{At, Findings, Interface, Model, Quantity, Scene, Severity, short};
+use asperity::{At, Best, Described, Findings, Interface, Model, Quantity, Scene, Severity, short};
 
 use crate::error::{Place, SceneError};
 use crate::free::{Free, bounds_in_other_unit, unit_of_free};
@@ -143,6 +143,10 @@ impl SceneFile {
         free: &[Free],
         progress: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<Fitted, SceneError> {
+        if model.id() == Best::<Model>::ID {
+            let reason = "best chooses its model by the scene, which a fit changes: fit one model";
+            return Err(refused("model", reason.into()));
+        }
         if free.iter().all(|free| free.name != "nominal_area") {
             data.check_loads(self.scene.nominal_area)?;
         }

@@ -1,8 +1,10 @@
 //! The models that a scene allows.
 
 use asperity::joints::{Correlated, Correlation};
+use asperity::recommended::ANSWERING;
 use asperity::{
-    Asperities, Code, ContactError, ContactModel, Finding, Model, Quantity, Request, Tolerance,
+    Asperities, Best, Code, ContactError, ContactModel, Finding, Model, Quantity, Request,
+    Tolerance,
 };
 use asperity_bem::Bem;
 use asperity_curved::{BetweenCurved, Curved};
@@ -38,6 +40,7 @@ impl SceneFile {
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
         match id.trim().to_lowercase().as_str() {
             Bem::ID => Ok(Model::new(self.pressed(options.bem())?)),
+            Best::<Model>::ID => Ok(Model::new(self.best_with(options))),
             _ => {
                 let model = options.model_beside(|| self.spectrum(), id)?;
                 let of_id = |one: &Correlation| one.id() == model.id();
@@ -80,6 +83,18 @@ impl SceneFile {
             Some(shape) => Model::new(BetweenCurved::new(model, shape)),
             None => model,
         }
+    }
+
+    /// What is known best about the scene, by its models and the shape of its surface.
+    #[must_use]
+    pub fn best(&self) -> Best<Model> {
+        self.best_with(&self.spec.options)
+    }
+
+    fn best_with(&self, options: &ModelOptions) -> Best<Model> {
+        let allowed = |model: &Model| self.no_asperities_for(model).is_none();
+        let models = ANSWERING.iter().filter_map(|id| options.model(id).ok()).filter(allowed);
+        Best::new(models.collect(), self.surface_shape()).with_solved(self.solved.clone())
     }
 
     /// The [usual](Model::usual) models of asperities that the scene allows, with its options,

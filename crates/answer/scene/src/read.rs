@@ -179,7 +179,14 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     let scans = spec.surfaces().filter_map(|(_, one)| one.scan()?.source.as_ref());
     let files = scans.map(|(path, _)| path).chain(&spec.heights.file);
     origin.files = files.cloned().collect();
-    let mut file = SceneFile { spec, scene, measured, warnings, origin: Some(Arc::new(origin)) };
+    let mut file = SceneFile {
+        spec,
+        scene,
+        measured,
+        warnings,
+        solved: vec![],
+        origin: Some(Arc::new(origin)),
+    };
     file.spec.ranges = ranges(document, &file)?;
     match file.no_mean_plane() {
         Some(needed) => {

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use asperity::{
-    ContactError, Datum, Findings, HeightDistribution, Scene, Separation, SeparationUnit, Surface,
-    TabulatedHeights,
+    ContactError, Datum, Findings, HeightDistribution, Scene, Separation, SeparationUnit,
+    SolvedContact, Surface, TabulatedHeights,
 };
 use asperity_topography::Topography;
 
@@ -28,6 +28,9 @@ pub struct SceneFile {
     pub measured: Option<Arc<Measured>>,
     /// Warnings about the file.
     pub warnings: Findings,
+    /// What boundary elements gave on its scan, where that was solved: an input of
+    /// [`best`](Self::best).
+    pub solved: Vec<SolvedContact>,
     /// Where it was written; nowhere where numbers were changed since.
     pub(crate) origin: Option<Arc<Provenance>>,
 }
@@ -41,7 +44,8 @@ impl From<Scene> for SceneFile {
         let mut spec = SceneSpec::new(bodies, surface, scene.nominal_area);
         spec.surface.mean_plane_offset = scene.mean_plane_offset;
         spec.heights = HeightsSpec::from(scene.heights.clone());
-        Self { spec, scene, measured: None, warnings: Findings::default(), origin: None }
+        let (warnings, solved) = Default::default();
+        Self { spec, scene, measured: None, warnings, solved, origin: None }
     }
 }
 
@@ -52,7 +56,8 @@ impl SceneFile {
     /// [`ContactError`] naming the field that is out of range.
     pub fn of_spec(spec: SceneSpec) -> Result<Self, ContactError> {
         let (scene, measured) = resolve(&spec).map_err(|fault| fault.source)?;
-        Ok(Self { spec, scene, measured, warnings: Findings::default(), origin: None })
+        let (warnings, solved) = Default::default();
+        Ok(Self { spec, scene, measured, warnings, solved, origin: None })
     }
 
     /// The bodies from which the interface follows, if given.

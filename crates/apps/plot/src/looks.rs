@@ -1,7 +1,7 @@
 //! The looks of models by their ids: one colour a model in every picture.
 
 /// Ids with the numbers of their looks.
-const LOOKS: [(&str, usize); 21] = [
+const LOOKS: [(&str, usize); 22] = [
     ("gw", 0),
     ("ceb", 1),
     ("zmc", 2),
@@ -23,10 +23,11 @@ const LOOKS: [(&str, usize); 21] = [
     ("jkr-separation", 18),
     ("mikic", 19),
     ("at-additive", 34),
+    ("best", 45),
 ];
 /// Endings of ids, and what they add: the colour stays, dash and marker change. None is a black
 /// cross.
-const ENDINGS: [(&str, usize); 3] = [("-random", 20), ("-pairs", 50), ("-corrected", 60)];
+const ENDINGS: [(&str, usize); 2] = [("-random", 20), ("-pairs", 50)];
 
 /// The look of measured points and of boundary elements, which no model has: black crosses.
 pub const MEASURED: usize = 100;

@@ -18,7 +18,7 @@ def test_one_scene_is_required_where_many_have_no_answer(scene: asperity.Scene) 
         lambda: KE.compile(many),
         lambda: KE.unloading([scene, scene], 1.0),
         lambda: asperity.export(KE, many, load=(1.0, 2.0), nodes=3),
-        lambda: asperity.recommend(many, 1.0),
+        lambda: asperity.plan(KE, many, 1.0),
     ):
         with pytest.raises(TypeError, match="one scene"):
             call()
@@ -38,11 +38,6 @@ def test_texts_are_saved(scene: asperity.Scene, tmp_path: Path) -> None:
     table.save(tmp_path / "table.csv")
     assert (tmp_path / "table.csv").read_text() == table.text
 
-
-def test_a_recommendation_at_a_load_compares_areas(scene: asperity.Scene) -> None:
-    compared = {"force_deviation", "area_deviation"}
-    assert compared & set(asperity.recommend(scene, load=10.0).columns) == {"area_deviation"}
-    assert compared & set(asperity.recommend(scene, 2.0).columns) == compared
 
 
 def test_options_of_other_models_may_differ_between_scenes(scene: asperity.Scene) -> None:

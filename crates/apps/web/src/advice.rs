@@ -1,149 +1,37 @@
-//! The answer at a load as the page shows it, and the model to use there.
+//! The answer at a load as the page shows it, with what stands behind it.
 
-use asperity::{
-    At, Code, ContactError, CorrectedRow, Scene, Separation, SeparationUnit, Severity,
-    usual_reference,
-};
-use asperity_answer::{Cell, Recommend, Sheet, unranked};
-use asperity_scene::SceneFile;
+use asperity::{At, Best, BestContact, Code, Compared, Described, Model};
+use asperity_answer::{Basis, basis};
+use asperity_scene::{SceneFile, Unknown};
 use serde_json::{Value, json};
 
 use crate::answer::{Column, Known, Row, Source, quantities};
 use crate::labels::{symbols, term};
-use crate::message::Solved;
-use crate::refusal::Refusal;
 use crate::shown::{interval, percent, shown};
 use crate::span::Load;
 
 /// The first line: units and names of the columns behind the separation. Models are held against
 /// the answer in the first two, area and stiffness.
-const FIRST: [(&str, &str); 3] =
-    [("%", "real area"), ("N/m", "first-loading stiffness"), ("N/m", "unloading stiffness")];
-/// The model that shows whether contacts yield, as it ignores that.
-pub(crate) const ELASTIC: &str = "gw";
+const FIRST: [(&str, Compared); 3] =
+    [("%", Compared::Area), ("N/m", Compared::Stiffness), ("N/m", Compared::UnloadingStiffness)];
+/// The model that is the answer.
+pub(crate) const BEST: &str = Best::<Model>::ID;
 
-/// What is known at a load from the best source: boundary elements on this scan, those on solved
-/// surfaces like this one, or a model.
-pub(crate) struct Best {
-    /// By column.
-    values: Vec<Option<Known>>,
-    source: Source,
-    /// The model, which fills what a better source does not have.
-    model: String,
-    /// The source in a sentence.
-    basis: String,
-}
-
-/// The model of the answer: the usual one or, where adhesion matters, the one of its range.
-pub(crate) fn answering(file: &SceneFile, at: At) -> &'static str {
-    if file.scene.adhesion_parameter().is_none_or(|theta| theta >= Scene::HIDES_ADHESION) {
-        return usual_reference(&file.scene);
-    }
-    let fits = |id: &&str| {
-        let found = file.model(id).map(|model| file.findings_at(&model, &[at]));
-        found.is_ok_and(|found| found.iter().all(|one| one.code != Code::Tabor))
+/// How far a row is from the answer in area and stiffness: `+3 %, −2 %`. None for the answer, and
+/// where that is known within ranges.
+fn against(best: &Row, row: &Row) -> Option<String> {
+    let off = |column: usize| {
+        let known = best.value(column).filter(|known| !known.has_range())?;
+        Some(row.value(column)?.value / known.value - 1.0)
     };
-    ["dmt", "jkr"].into_iter().find(fits).unwrap_or("jkr")
-}
-
-impl Best {
-    /// From the row of a model on a scene, its correction by the evidence, and what was solved on
-    /// this scan at this load.
-    pub(crate) fn new(
-        (file, columns): (&SceneFile, &[Column]),
-        row: &Row,
-        corrected: Result<CorrectedRow, ContactError>,
-        solved: Option<&Solved>,
-    ) -> Self {
-        let values = (0..columns.len()).map(|column| row.value(column).copied()).collect();
-        let (model, basis) = (row.model.clone(), String::new());
-        let mut best = Self { values, source: Source::Model, model, basis };
-        let unknowns = file.unknowns();
-        match corrected {
-            _ if !unknowns.is_empty() => {
-                let names =
-                    unknowns.iter().map(|one| term(&one.name)).collect::<Vec<_>>().join(", ");
-                best.basis =
-                    symbols(&format!("Ranges by {}, for the ranges of {names}.", best.model));
-            }
-            Ok(row) => best.take_evidence(file, &row),
-            Err(reason) => {
-                let why = symbols(&reason.to_string());
-                best.basis = format!("Values by {}: {why}.", best.model);
-            }
-        }
-        let Some(solved) = solved else { return best };
-        let codes = solved.notes.iter().filter_map(|name| Code::named(name).ok()).collect();
-        best.basis = match unranked(&[codes]) {
-            None => "Boundary elements on this scan at this load.".into(),
-            Some([why, _]) if best.source == Source::Model => {
-                format!("Boundary elements on this scan at this load, uncertain: {why}.")
-            }
-            // The mean of many surfaces is better known than one with few contacts.
-            Some(_) => return best,
-        };
-        best.take(Source::Solved, solved.row(columns).cells.into_iter().map(Result::ok));
-        best
-    }
-
-    /// Values of a better source.
-    fn take(&mut self, source: Source, values: impl Iterator<Item = Option<Known>>) {
-        self.source = source;
-        for (known, better) in self.values.iter_mut().zip(values) {
-            *known = better.or(*known);
-        }
-    }
-
-    fn take_evidence(&mut self, file: &SceneFile, row: &CorrectedRow) {
-        let known = |[value, lower, upper]: [f64; 3]| {
-            Known::new(value, Some([lower, upper]), Source::Evidence)
-        };
-        let metres = |s: Separation| {
-            let found =
-                s.measured_in(SeparationUnit::Metres, file.spec.separation_from, &file.scene);
-            found.ok().map(|found| found.value)
-        };
-        let gap = row
-            .separation()
-            .ok()
-            .and_then(|of| Some(known([metres(of.value)?, metres(of.lower)?, metres(of.upper)?])));
-        let values = quantities(file).into_iter().map(|quantity| {
-            row.value(quantity).ok().map(|of| known([of.value, of.lower, of.upper]))
-        });
-        self.take(Source::Evidence, [gap].into_iter().chain(values));
-        let lighter = match row.is_extrapolated() {
-            true => "; the load is below the lightest solved one, whose ratios are used",
-            false => "",
-        };
-        let basis = symbols(&row.basis());
-        self.basis = format!(
-            "From surfaces like this one ({basis}); 9 of 10 lie in the intervals{lighter}."
-        );
-    }
-
-    /// A value of the best source.
-    fn value(&self, column: usize) -> Option<&Known> {
-        self.values.get(column)?.as_ref().filter(|known| known.source == self.source)
-    }
-
-    /// How far a row is from the answer in area and stiffness: `+3 %, −2 %`. None for the model
-    /// whose values are the answer, and where these have ranges.
-    fn against(&self, row: &Row) -> Option<String> {
-        let off = |column: usize| {
-            let known = self.value(column).filter(|known| !known.has_range())?;
-            Some(row.value(column)?.value / known.value - 1.0)
-        };
-        let off = [off(1), off(2)];
-        if off == [None; 2] || (self.source == Source::Model && row.model == self.model) {
-            return None;
-        }
-        Some(off.map(|off| off.map_or("–".into(), percent)).join(", "))
-    }
+    let off = [off(1), off(2)];
+    let is_known = off != [None; 2] && row.model != best.model;
+    is_known.then(|| off.map(|off| off.map_or("–".into(), percent)).join(", "))
 }
 
 /// A row as shown, with how far it is from the answer, and why it is out of the range of its model,
 /// if it is.
-pub(crate) fn shown_row(best: &Best, row: &Row, columns: &[Column]) -> Value {
+pub(crate) fn shown_row(best: &Row, row: &Row, columns: &[Column]) -> Value {
     let cells = columns.iter().zip(&row.cells).map(|(column, found)| column.cell(found));
     json!({
         "model": row.model,
@@ -151,70 +39,39 @@ pub(crate) fn shown_row(best: &Best, row: &Row, columns: &[Column]) -> Value {
         "reason": row.reason,
         "mark": row.mark,
         "outside": row.outside,
-        "against": best.against(row),
+        "against": against(best, row),
     })
 }
 
-/// Columns of a recommendation, with their names on the page.
-const COMPARED: [(&str, &str); 4] = [
-    ("area_deviation", "area, from the reference"),
-    ("area_off_bem", "area, from boundary elements"),
-    ("stiffness_off_bem", "stiffness, from boundary elements"),
-    ("simplest", "the simplest near the reference"),
-];
-
-/// The model to use at a load and how far each is, as `asperity recommend` has them.
-pub(crate) fn recommend(file: &SceneFile, at: At) -> Result<Value, Refusal> {
-    let mut sheet = Sheet::default();
-    let advice = Recommend::at([at]).answer(file, &mut sheet)?;
-    let columns = COMPARED.iter().filter_map(|(head, name)| Some((sheet.column(head)?, *name)));
-    let columns: Vec<(usize, &str)> = columns.collect();
-    let text = |cell: &Cell| cell.number().map_or_else(|| cell.text().into(), percent);
-    let rows = sheet.rows.iter().map(|row| {
-        let cells: Value = columns.iter().map(|(k, _)| text(&row[*k])).collect();
-        json!({ "model": row[0].text(), "cells": cells })
-    });
-    Ok(json!({
-        "model": advice.model_to_use(),
-        "verdict": advice.verdict(),
-        "head": columns.iter().map(|(_, name)| *name).collect::<Value>(),
-        "rows": rows.collect::<Value>(),
-    }))
-}
-
-/// The answer on the scene, the first of these, and at the ends of its ranges beside the rows of
-/// the shown models; the elastic model shows whether contacts yield.
+/// The answer on the scene, the first of these, by its row, and what stands behind it.
 pub(crate) fn answer(
-    best: &Best,
-    (scenes, columns): (&[SceneFile], &[Column]),
+    row: &Row,
+    (file, scenes, columns): (&SceneFile, &[SceneFile], &[Column]),
+    contact: Option<&BestContact<Model>>,
     load: &Load,
-    elastic: &Row,
 ) -> Value {
-    let cells = columns.iter().enumerate().map(|(k, column)| match best.value(k) {
-        Some(known) => column.known(known),
-        // A value of the model has its place in the row of the model.
-        None => json!({ "quantity": column.id, "shown": "no evidence" }),
-    });
     let mut indices = scenes.iter().map(|file| file.scene.plasticity_index().ok());
     let index = indices.next().flatten().map(|index| Known::new(index, None, Source::Model));
-    let index = index.and_then(|index| index.within(indices));
-    let yields = match elastic.yields {
+    let ends = indices.map(|index| Some(Known::new(index?, None, Source::Model)));
+    let index = index.and_then(|index| index.within(ends));
+    // An elastic model is not valid where they do.
+    let yields = |best: &BestContact<Model>| {
+        let invalid = best.others(load.at).into_iter().filter_map(|other| other.outside);
+        invalid.map(|why| why.code).any(|code| code == Code::Yields)
+    };
+    let yields = match contact.is_some_and(yields) {
         _ if index.is_none() => "no hardness: elastic",
-        None => "nothing yields",
-        Some(Severity::Note) => "a few contacts yield",
-        Some(_) => "contacts yield",
+        true => "contacts yield",
+        false => "hardly any contact yields",
     };
     let of_index = Column::new(["plasticity_index", "", "plasticity index"], String::new());
-    let first = FIRST.iter().zip(&columns[1..]).zip(&best.values[1..]);
-    let first = first.map(|(((unit, name), column), known)| {
-        let by = match known.map(|known| known.source) {
-            None => format!("{} has none", best.model),
-            Some(Source::Model) if best.source == Source::Model => format!("by {}", best.model),
-            Some(Source::Model) => format!("by {}; no evidence", best.model),
-            Some(Source::Evidence) => String::new(),
+    let first = FIRST.iter().zip(&columns[1..]).enumerate().map(|(k, ((unit, of), column))| {
+        let by = match row.value(k + 1).map(|known| known.source) {
+            Some(Source::Model) => "no interval".into(),
             Some(Source::Solved) => "on this scan".into(),
+            _ => String::new(),
         };
-        part([name, unit], column, *known, by)
+        part([of.label(), unit], column, row.value(k + 1).copied(), by)
     });
     let index = part([of_index.label, ""], &of_index, index, yields.into());
     let first: Vec<Value> = first.chain([index]).collect();
@@ -228,14 +85,36 @@ pub(crate) fn answer(
         [file] => format!("Sq {}", shown(file.scene.surface.moments().m0.sqrt(), "m")),
         _ => "known within ranges".into(),
     };
+    let spread = |one: Unknown| {
+        let factor = (one.ends[1] / one.ends[0]).sqrt();
+        format!("{} within a factor of {factor:.1}", term(&one.name))
+    };
+    let spreads: Vec<String> = file.unknowns().into_iter().map(spread).collect();
+    let widest = match &spreads[..] {
+        [] => String::new(),
+        spreads => format!("; wide by {}", spreads.join(", ")),
+    };
+    let (models, behind) =
+        contact.map_or_else(Default::default, |contact| by(contact, scenes, load.at));
     json!({
-        "source": best.source,
+        "source": row.value(1).map(|known| known.source),
         "first": first,
-        "row": { "model": "answer", "cells": cells.collect::<Value>() },
-        "basis": best.basis,
+        "row": shown_row(row, row, columns),
+        "head": crate::answer::head(columns, true),
+        "model": models,
+        "basis": symbols(&(behind.by + &widest)),
+        "also": symbols(&behind.also),
         "surface": surface,
         "spoken": format!("At {}: {said}", load.text),
     })
+}
+
+/// The models behind the first line, and what stands behind them.
+fn by(contact: &BestContact<Model>, scenes: &[SceneFile], at: At) -> (String, Basis) {
+    let mut models: Vec<&str> =
+        FIRST.iter().filter_map(|(_, of)| Some(contact.by(*of, at)?.id())).collect();
+    models.dedup();
+    (models.join(", "), basis(contact, &quantities(&scenes[0]), at))
 }
 
 /// A part of the first line, with what stands below it behind its range.
@@ -301,54 +180,34 @@ mod tests {
     }
 
     #[test]
-    fn an_answer_is_the_corrected_value_and_models_are_held_against_it() {
+    fn an_answer_is_that_of_best_and_models_are_held_against_it() {
         let found = page_at(SEAL, "1 MPa", json!([]));
         let (answer, ke) = (&found["answer"], row(&found, "ke"));
         assert_eq!(answer["source"], "evidence");
-        let file = [asperity_scene::parse(SEAL, std::path::Path::new(".")).unwrap()];
-        let corrected = crate::answer::compile(&file, "ke").unwrap();
-        let corrected = corrected[0].corrected(&file[0]).unwrap();
-        let wanted = corrected.at(At::Pressure(1e6)).unwrap();
-        let wanted = wanted.value(asperity::Quantity::AreaFraction).unwrap();
+        let file = asperity_scene::parse(SEAL, std::path::Path::new(".")).unwrap();
+        let best = file.best().on(&file.scene, asperity::Tolerance::default()).unwrap();
+        let wanted = best.known(Compared::Area, At::Pressure(1e6)).unwrap();
+        let [lower, upper] = wanted.ends.unwrap();
         let area = &answer["first"][0];
-        for (end, wanted) in
-            [("digits", wanted.value), ("lower", wanted.lower), ("upper", wanted.upper)]
-        {
-            let found: f64 = area[end].as_str().unwrap().parse().unwrap();
-            assert!((found / wanted - 1.0).abs() < 1e-12, "{end}: {found} {wanted}");
+        for (end, wanted) in [("digits", wanted.value), ("lower", lower), ("upper", upper)] {
+            assert_eq!(area[end].as_str().unwrap().parse(), Ok(wanted), "{end}");
         }
         let own: f64 = ke["cells"][1]["digits"].as_str().unwrap().parse().unwrap();
         let against = ke["against"].as_str().unwrap();
         assert!(against.starts_with(&percent(own / wanted.value - 1.0)), "{against}");
+        let by = best.by(Compared::Area, At::Pressure(1e6)).unwrap().id();
+        assert!(answer["model"].as_str().unwrap().starts_with(by), "{answer}");
     }
 
     #[test]
-    fn the_model_to_use_is_the_verdict_of_the_program() {
-        // Few models, which are quick.
-        let text = include_str!("../../../answer/scene/examples/elastomer-on-glass.toml");
-        let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
-        for (load, wanted) in [(0.05, json!("gw")), (100.0, Value::Null)] {
-            let mut desk = Desk::default();
-            call(&mut desk, json!({ "call": "show", "text": text }));
-            let load_keys = json!({ "text": format!("{load} N") });
-            let found = call(&mut desk, json!({ "call": "recommend", "load": load_keys }));
-            let mut sheet = Sheet::default();
-            let program = Recommend::at([At::Load(load)]).answer(&file, &mut sheet).unwrap();
-            assert_eq!((&found["model"], &found["verdict"]), (&wanted, &json!(program.verdict())));
-            let rows = found["rows"].as_array().unwrap();
-            assert_eq!(rows.len(), sheet.rows.len());
-            let width = found["head"].as_array().unwrap().len();
-            assert!(rows.iter().all(|row| row["cells"].as_array().unwrap().len() == width));
-        }
-    }
-
-    #[test]
-    fn without_evidence_the_recommended_model_answers() {
+    fn without_evidence_the_first_valid_model_answers() {
         let found = page_at(&joint(), "1 MPa", json!([]));
         let answer = &found["answer"];
         assert_eq!(answer["source"], "model");
-        assert_eq!(answer["first"][1]["digits"], row(&found, "ke")["cells"][2]["digits"]);
-        assert!(answer["first"][1]["lower"].is_null() && row(&found, "ke")["against"].is_null());
+        let own = |value: &Value| value["digits"].as_str().unwrap().parse::<f64>().unwrap();
+        let [answered, ke] = [&answer["first"][1], &row(&found, "ke")["cells"][2]].map(own);
+        assert!((answered / ke - 1.0).abs() < 1e-9 && answer["model"] == "ke", "{answer}");
+        assert!(answer["first"][1]["lower"].is_null());
     }
 
     #[test]

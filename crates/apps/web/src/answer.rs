@@ -70,12 +70,10 @@ impl Column {
         Self::new(["separation_m", "m", "separation"], definition)
     }
 
-    /// Its names in a csv: its own and, on a surface that is known within ranges, the names of its
-    /// ends.
-    pub(crate) fn heads(&self, file: &SceneFile) -> Vec<String> {
+    /// Its names in a csv: its own and, with ends, the names of these.
+    pub(crate) fn heads(&self, with_ends: bool) -> Vec<String> {
         let ends = ENDS.map(|end| column_of_end(&self.head, end));
-        let ends = ends.into_iter().filter(|_| !file.unknowns().is_empty());
-        [self.head.clone()].into_iter().chain(ends).collect()
+        [self.head.clone()].into_iter().chain(ends.into_iter().filter(|_| with_ends)).collect()
     }
 
     /// A value as shown with all its digits in SI units.
@@ -112,7 +110,7 @@ pub(crate) fn columns(file: Option<&SceneFile>) -> Vec<Column> {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Source {
-    /// The recommended model, without evidence.
+    /// A model.
     #[default]
     Model,
     /// Boundary elements on solved surfaces like this one.
@@ -129,26 +127,29 @@ pub(crate) struct Known {
     pub(crate) ends: Option<[f64; 2]>,
     /// A bound on its error.
     bound: Option<f64>,
+    /// Whether the ends are those of the ranges of the surface, too.
+    ranged: bool,
     pub(crate) source: Source,
 }
 
 impl Known {
     pub(crate) fn new(value: f64, ends: Option<[f64; 2]>, source: Source) -> Self {
-        Self { value, ends, source, bound: None }
+        Self { value, ends, source, bound: None, ranged: false }
     }
 
     /// Over the ranges of the surface, with the values at their ends, if there are any; none if one
     /// is missing there.
-    pub(crate) fn within(self, ends: impl Iterator<Item = Option<f64>>) -> Option<Self> {
-        let ends = ends.collect::<Option<Vec<f64>>>()?;
-        let fold = |of: fn(f64, f64) -> f64| ends.iter().copied().fold(self.value, of);
-        let both = (!ends.is_empty()).then(|| [fold(f64::min), fold(f64::max)]);
-        Some(Self { ends: both, ..self })
+    pub(crate) fn within(self, ends: impl Iterator<Item = Option<Self>>) -> Option<Self> {
+        let ends = ends.collect::<Option<Vec<Self>>>()?;
+        let all = || ends.iter().chain([&self]).map(|one| one.ends.unwrap_or([one.value; 2]));
+        let both = || all().reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
+        let (own, ranged) = (self.ends, !ends.is_empty());
+        Some(Self { ends: if ranged { both() } else { own }, ranged, ..self })
     }
 
     /// Whether it varies over the ranges of the surface.
     pub(crate) fn has_range(&self) -> bool {
-        self.source == Source::Model && self.ends.is_some()
+        self.ranged
     }
 }
 
@@ -157,7 +158,7 @@ pub(crate) fn compile(scenes: &[SceneFile], id: &str) -> Result<Vec<Asked>, Refu
     let of = |file: &SceneFile| -> Result<Asked, Refusal> {
         let many = Span::of(&file.scene).pressures().into_iter().map(At::Pressure);
         let request = Request::new(quantities(file)).at(many);
-        Ok(Asked::new(file, &file.model(id)?, &request, (false, true))?)
+        Ok(Asked::new(file, &file.model(id)?, &request, false)?)
     };
     scenes.iter().map(of).collect()
 }
@@ -174,10 +175,16 @@ fn values(
     let ends: Vec<Vec<Line>> = all.map(|(lines, _)| lines).collect();
     let quantities = quantities(&scenes[0]);
     let of_line = |line: &Line| -> Vec<Result<Known, String>> {
-        let known = |value, bound| Known { value, bound, ..Known::default() };
-        let separation = line.separation[1].as_ref().map(|value| known(*value, None));
-        let values = line.values.iter().zip(&quantities).map(|(found, quantity)| {
-            found.as_ref().map(|found| known(found.value(), Some(found.bound(*quantity))))
+        let known = |value, bound, ends: Option<[f64; 2]>| {
+            let source = ends.map_or(Source::Model, |_| Source::Evidence);
+            Known { value, bound, ends, source, ranged: false }
+        };
+        let separation = line.separation[1].as_ref();
+        let separation = separation.map(|value| known(*value, None, line.between));
+        let values = line.values.iter().zip(&quantities).zip(&line.intervals);
+        let values = values.map(|((found, quantity), interval)| {
+            let ends = interval.as_ref().map(|of| [of.lower, of.upper]);
+            found.as_ref().map(|found| known(found.value(), Some(found.bound(*quantity)), ends))
         });
         let all = [separation].into_iter().chain(values);
         all.map(|found| found.map_err(|error| error.to_string())).collect()
@@ -185,7 +192,7 @@ fn values(
     let rows = middle.iter().enumerate().map(|(row, line)| {
         let ends: Vec<_> = ends.iter().map(|lines| of_line(&lines[row])).collect();
         let within = |(column, found): (usize, Result<Known, String>)| {
-            let ends = ends.iter().map(|end| Some(end[column].as_ref().ok()?.value));
+            let ends = ends.iter().map(|end| end[column].as_ref().ok().copied());
             found?.within(ends).ok_or_else(|| NO_RANGE.into())
         };
         of_line(line).into_iter().enumerate().map(within).collect()
@@ -202,8 +209,6 @@ pub(crate) struct Row {
     pub(crate) reason: Option<String>,
     /// Why no contact has them.
     pub(crate) mark: Option<String>,
-    /// How the model ignores yielding, if it does.
-    pub(crate) yields: Option<Severity>,
     /// Why the load is out of its range.
     pub(crate) outside: Option<String>,
     pub(crate) findings: Findings,
@@ -225,7 +230,6 @@ impl Row {
         };
         let mark = found.iter().find(is_impossible).filter(|_| !file.findings().are_implausible());
         row.mark = mark.map(|found| message(found, false));
-        row.yields = found.iter().find(|one| one.code == Code::Yields).map(|one| one.severity);
         let is_outside = |one: &&Finding| {
             one.code.is_of_model() && one.code != Code::Yields && one.severity != Severity::Note
         };
@@ -248,6 +252,12 @@ impl Row {
             });
         }
         row
+    }
+
+    /// Marks what has no interval as solved on this scan.
+    pub(crate) fn solved(&mut self) {
+        let known = self.cells.iter_mut().flatten();
+        known.filter(|known| known.ends.is_none()).for_each(|known| known.source = Source::Solved);
     }
 
     /// The values of a column.
@@ -279,9 +289,9 @@ pub(crate) fn rows(scenes: &[SceneFile], id: &str, asked: &[Asked], pressures: &
     csv
 }
 
-/// The head of [`rows`]: of each column its own name and, within ranges, the names of its ends.
-pub(crate) fn head(file: &SceneFile, columns: &[Column]) -> String {
-    let heads: Vec<String> = columns.iter().flat_map(|column| column.heads(file)).collect();
+/// The head of [`rows`]: of each column its own name and, with ends, the names of these.
+pub(crate) fn head(columns: &[Column], with_ends: bool) -> String {
+    let heads: Vec<String> = columns.iter().flat_map(|column| column.heads(with_ends)).collect();
     format!("model,load_N,pressure_Pa,{}", heads.join(","))
 }
 
@@ -333,7 +343,7 @@ mod tests {
         }
         let csv = rows(&scenes, "ke", &ke, &[1e6, 2e6]);
         let first: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
-        let head = head(&scenes[0], &columns(Some(&scenes[0])));
+        let head = head(&columns(Some(&scenes[0])), false);
         assert_eq!(first.len(), head.split(',').count());
         let area = head.split(',').position(|name| name == "area_fraction").unwrap();
         // Several loads are evaluated together.

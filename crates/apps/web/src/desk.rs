@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Code, ContactError, Corrected, Finding};
+use asperity::{BestContact, Code, Finding, Model, SolvedContact, Tolerance};
 use asperity_answer::Asked;
 use asperity_scene::{HandedFiles, SceneFile};
 use asperity_topography::Topography;
 use serde_json::{Value, json};
 
-use crate::advice::{Best, ELASTIC, answering};
+use crate::advice::BEST;
 use crate::answer::Row;
 use crate::files::{admit, usable};
 use crate::message::{Message, Solved};
@@ -29,8 +29,8 @@ pub struct Desk {
     scenes: Vec<SceneFile>,
     /// Models on all of these, or why the scene refuses them.
     compiled: BTreeMap<String, Result<Vec<Asked>, String>>,
-    /// Models corrected by the evidence.
-    corrected: BTreeMap<&'static str, Result<Corrected, ContactError>>,
+    /// What stands behind the answers on the first of these.
+    best: Option<BestContact<Model>>,
     /// The text whose surface was described in another way, and what was made of it.
     described: Option<[String; 2]>,
 }
@@ -101,6 +101,16 @@ impl Desk {
         }
     }
 
+    /// Takes what was solved on the scan as an input of the answer.
+    fn take_solved(&mut self, solved: &[Solved]) {
+        let solved: Vec<SolvedContact> = solved.iter().map(Solved::contact).collect();
+        if let Some(file) = self.scenes.first_mut().filter(|file| file.solved != solved) {
+            file.solved = solved;
+            self.best = None;
+            self.compiled.remove(BEST);
+        }
+    }
+
     fn answer(&mut self, message: Message) -> Result<Value, Refusal> {
         Ok(match message {
             Message::Show { text } => self.show(&text),
@@ -120,11 +130,6 @@ impl Desk {
             Message::Admit { name, size } => admit(&name, size)?.into(),
             Message::Random { keys } => self.keep(&keys.name(), keys.file()?),
             Message::Answer { models, load, solved } => self.values(&models, &load, &solved)?,
-            Message::Recommend { load } => {
-                // Within ranges, that in the middle.
-                let file = self.scenes.first().ok_or_else(no_scene)?;
-                advice::recommend(file, Load::of(&load, &file.scene)?.at)?
-            }
             Message::Curve { models } => {
                 let pressures = Span::of(&self.scene()?.scene).pressures();
                 self.compile(models.iter().map(String::as_str));
@@ -195,11 +200,10 @@ impl Desk {
         load: &LoadKeys,
         solved: &[Solved],
     ) -> Result<Value, Refusal> {
-        let file = self.scene()?;
-        let load = Load::of(load, &file.scene)?;
-        let id = answering(self.scenes.first().unwrap_or(file), load.at);
-        self.compile(models.iter().map(String::as_str).chain([id, ELASTIC]));
-        let Self { file: Some(file), scenes, compiled, corrected, .. } = self else {
+        let load = Load::of(load, &self.scene()?.scene)?;
+        self.take_solved(solved);
+        self.compile(models.iter().map(String::as_str).chain([BEST]));
+        let Self { file: Some(file), scenes, compiled, best, .. } = self else {
             return Err(no_scene());
         };
         let row = |id: &str| match compiled.get(id) {
@@ -210,19 +214,17 @@ impl Desk {
             }
         };
         let rows: Vec<Row> = models.iter().map(|id| row(id)).collect();
-        let corrected = corrected.entry(id).or_insert_with(|| match compiled.get(id) {
-            Some(Ok(asked)) if scenes.len() == 1 => asked[0].corrected(file),
-            _ => Err(ContactError::NoEvidence {
-                property: "values",
-                reason: format!("{id} has no values"),
-            }),
-        });
-        let corrected = corrected.as_ref().map_err(Clone::clone).and_then(|of| of.at(load.at));
         let here = solved.iter().find(|solved| solved.pressure.total_cmp(&load.pascals).is_eq());
         let columns = answer::columns(Some(file));
-        let best = Best::new((file, &columns), &row(id), corrected, here);
-        let mut answer = advice::answer(&best, (scenes, &columns), &load, &row(ELASTIC));
-        let shown = |row: &Row| advice::shown_row(&best, row, &columns);
+        let mut answered = row(BEST);
+        if best.is_none() {
+            *best = scenes[0].best().on(&scenes[0].scene, Tolerance::default()).ok();
+        }
+        if here.is_some() && best.as_ref().is_some_and(|best| best.is_solved(load.at)) {
+            answered.solved();
+        }
+        let mut answer = advice::answer(&answered, (file, scenes, &columns), best.as_ref(), &load);
+        let shown = |row: &Row| advice::shown_row(&answered, row, &columns);
         answer["solved"] = here.map(|solved| shown(&solved.row(&columns))).into();
         let scene = &scenes[0];
         let of_scene = scene.warnings.iter().cloned().chain(scene.findings());

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use asperity::{Code, Compared, SolvedContact};
+use asperity_answer::unranked;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
@@ -43,8 +45,6 @@ pub(crate) enum Message {
         #[serde(default)]
         solved: Vec<Solved>,
     },
-    /// The model to use at a load, and how far each is.
-    Recommend { load: LoadKeys },
     /// The rows of models at the loads of the picture.
     Curve { models: Vec<String> },
     /// The picture of rows.
@@ -101,6 +101,23 @@ pub(crate) struct Solved {
 const NOT_GIVEN: &str = "boundary elements do not give this quantity";
 
 impl Solved {
+    /// As an input of the answer.
+    pub(crate) fn contact(&self) -> SolvedContact {
+        let named = [
+            ("area-fraction", Compared::Area),
+            ("tangent", Compared::Stiffness),
+            ("unloading-stiffness", Compared::UnloadingStiffness),
+            ("mean-gap", Compared::MeanGap),
+        ];
+        let value = |(name, of): (&str, Compared)| Some((of, self.values.get(name)?.parse().ok()?));
+        let codes = self.notes.iter().filter_map(|name| Code::named(name).ok()).collect();
+        SolvedContact {
+            pressure: self.pressure,
+            values: named.into_iter().filter_map(value).collect(),
+            uncertain: unranked(&[codes]).map(|[why, _]| why.into()),
+        }
+    }
+
     /// As the row of a model.
     pub(crate) fn row(&self, columns: &[Column]) -> Row {
         let known = |column: &Column| {

@@ -35,7 +35,8 @@ type Found<'r> = (&'r str, Option<f64>, Option<[f64; 2]>);
 pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> {
     let load = Load::of(&asked.load, &file.scene)?;
     let columns = columns(Some(file));
-    let heads: Vec<String> = columns.iter().flat_map(|column| column.heads(file)).collect();
+    let heads: Vec<String> =
+        columns.iter().flat_map(|column| column.heads(!file.unknowns().is_empty())).collect();
     let width = 3 + heads.len();
     let k = columns.iter().position(|known| known.id == asked.view);
     let k = k.ok_or_else(|| Refusal::new(format!("the scene has no {}", asked.view)))?;
@@ -44,7 +45,8 @@ pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> 
     // The values of all models at each load; positive numbers sort as their bits do.
     let mut at_loads: BTreeMap<u64, Vec<Found<'_>>> = BTreeMap::new();
     let (mut ids, mut values) = (vec![], vec![]);
-    let (place, named) = (3 + k * heads.len() / columns.len(), column.heads(file));
+    let (place, named) =
+        (3 + k * heads.len() / columns.len(), column.heads(!file.unknowns().is_empty()));
     for line in asked.rows.iter().flat_map(|rows| rows.lines()) {
         let cells: Vec<&str> = line.split(',').collect();
         let pressure = cells.get(2).and_then(|cell| cell.parse::<f64>().ok());

@@ -39,7 +39,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
             found["findings"] = labels::findings(&findings, file.converted());
             found["models"] = models(&file);
             // Of a csv of model, load, pressure and cells.
-            found["head"] = answer::head(&file, &columns).into();
+            found["head"] = answer::head(&columns, !file.unknowns().is_empty()).into();
             found["ends"] = (!file.unknowns().is_empty()).into();
             // The model that tables begin with.
             found["usual"] = asperity::usual_reference(&file.scene).into();

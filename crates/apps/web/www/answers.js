@@ -2,20 +2,19 @@
 import { $, cell, element, heading, lowered, noPicture, numbers as attributes, options, picture, put } from "./page.js";
 
 // What the answer has before there are values: their place on the screen.
-const PARTS = ["real area", "first-loading stiffness", "unloading stiffness", "plasticity index", "model to use"];
+const PARTS = ["real area", "first-loading stiffness", "stiffness of small vibrations", "plasticity index", "model to use"];
 
-// The values at the load with their intervals, where they are from, and the model to use, which
-// follows them.
-export function answer(found, advice, isExample) {
+// The values at the load with their intervals, where they are from, and the model to use.
+export function answer(found, isExample) {
   const part = (name, data, shown, more) => element("div", { title: more },
     element("dt", {}, name), element("dd", {}, element("b", { data }, shown), element("small", {}, more)));
   $("answer").querySelector("dl").replaceChildren(...(found ? [
     ...found.first.map((one) => part(one.name, attributes(one, "answer"), one.shown, one.by)),
-    part("model to use", {}, advice ? advice.model ?? "none" : "…", advice?.verdict ?? ""),
+    part("model to use", {}, found.model || "none", found.basis),
   ] : PARTS.map((name) => part(name, {}, "–", ""))));
   const [example, basis] = $("basis").children;
   basis.textContent = found?.basis ?? "";
-  basis.title = found?.basis ?? "";
+  basis.title = [found?.basis, found?.also].filter(Boolean).join("; also: ");
   example.textContent = found && isExample ? `An example surface (${found.surface}).` : "";
 }
 
@@ -44,15 +43,6 @@ export function table(views, ids, values, best, about = () => "") {
 function marked(id, reason, views) {
   const text = element("td", { className: "reason", colSpan: views.length + 2 }, "⚠ ", element("strong", {}, `${id}: impossible result`), `: ${reason}`);
   return element("tr", { className: "marked", data: { marked: id } }, text);
-}
-
-// All models as the program recommends among them; a press adds one to the table.
-export function compared(advice, chosen = [], add = null) {
-  $("verdict").textContent = advice?.verdict ?? "";
-  const name = (id) => (chosen.includes(id) ? id : element("button", { type: "button", title: "add to the table", onclick: () => add(id) }, id));
-  $("compared").tHead.replaceChildren(...(advice ? [element("tr", {}, heading("model"), ...advice.head.map((one) => heading(one)))] : []));
-  $("compared").tBodies[0].replaceChildren(...(advice?.rows ?? []).map(({ model, cells }) =>
-    element("tr", { data: { compared: model }, className: model === advice.model ? "answer" : "" }, element("th", { scope: "row" }, name(model)), ...cells.map((text) => element("td", {}, text)))));
 }
 
 export function load(shown, typed) {
@@ -161,7 +151,6 @@ export function keep({ load, models, view }) {
 // No values, no curves; the place of the curves says why.
 export function clear(why) {
   answer(null);
-  compared(null);
   table([], [], new Map());
   findings([]);
   numbers([]);

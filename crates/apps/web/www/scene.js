@@ -1,6 +1,6 @@
 // From the text of the scene to everything that the page shows of it.
 import { $, noPicture, tell, typing } from "./page.js";
-import { answers, ask, asks, chosen, desks, files, isSlow, missing, page, report, state, turns, work } from "./state.js";
+import { answers, ask, chosen, desks, files, isSlow, missing, page, report, state, work } from "./state.js";
 import { note, writeLink } from "./link.js";
 import * as blocks from "./answers.js";
 import * as editor from "./editor.js";
@@ -68,7 +68,7 @@ async function show(text) {
   } finally {
     page.rows.clear();
     page.values.clear();
-    Object.assign(page, { load: null, best: null, advice: null, answered: "", undescribed: "" });
+    Object.assign(page, { load: null, best: null, answered: "", undescribed: "" });
   }
   const { shown } = page;
   elements.of(JSON.stringify([text, shown.files.map((name) => files.get(name)?.checksum)]));
@@ -127,7 +127,6 @@ async function values(keys) {
   // Slow models are still to answer.
   else if (rows.length > 0 && ids.length === models.length) return refuse(blocks.commonRefusal(rows), keys);
   Object.assign(page, { load: found.load, refused: "" });
-  if (state.load !== found.load.text) page.advice = null;
   state.load = found.load.text;
   blocks.load(found.load, keys.position === undefined);
   elements.showNear();
@@ -140,18 +139,6 @@ async function values(keys) {
   form.mark(null, found.findings);
   takeAway.code();
   if (ids.length > models.length) work("slow", "values", () => slowValues(page.shown, keys));
-  if (!page.advice) asks.add("advice", "recommend", () => recommend(page.shown, state.load));
-}
-
-// The model to use: all models take seconds, which nobody waits for, and nothing else either.
-async function recommend(shown, load) {
-  const current = () => page.shown === shown && state.load === load;
-  do await new Promise((resolve) => setTimeout(resolve, 400)); while (turns.busy && current());
-  if (!current()) return;
-  const advice = await ask(desks.slow, "recommend", { load: { text: load } }).catch(({ message }) => ({ model: null, verdict: message, head: [], rows: [] }));
-  if (!current()) return;
-  page.advice = advice;
-  table();
 }
 
 // A load that no chosen model answers: the values of the load before stay, dimmed.
@@ -210,8 +197,7 @@ async function slowValues(shown, keys) {
 function table() {
   const about = (id) => page.shown.models.find((model) => model.id === id)?.about ?? id;
   if (page.load) {
-    blocks.answer(page.best, page.advice, Boolean(state.example));
-    blocks.compared(page.advice, chosen(), (id) => setModels([...state.models, id]));
+    blocks.answer(page.best, Boolean(state.example));
     blocks.table(page.shown.views, chosen(), page.values, page.best, about);
   }
   followers.forEach((follow) => follow());

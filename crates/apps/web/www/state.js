@@ -11,12 +11,12 @@ export const desks = { quick: new Desk(files), slow: new Desk(files), solver: ne
 // started from; the leak is the fluid, as typed, where flows are solved.
 export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null, example: null, leak: null };
 
-// Answers of the desks: the scene as read from a text, the load on it, the answer there, the model to use, the values
+// Answers of the desks: the scene as read from a text, the load on it, the answer there, the values
 // of models, the rows of their curves, the quantity that is drawn and how; why the load was refused or no
 // model describes it, the last load that a model answers, and the scan that a link asks for.
 export const page = {
   opened: false, typing: false, failure: "", form: null, text: "", shown: null,
-  load: null, best: null, advice: null, drawn: "", picture: null, refused: "", undescribed: "", answered: "", values: new Map(), rows: new Map(), wanted: null, old: false,
+  load: null, best: null, drawn: "", picture: null, refused: "", undescribed: "", answered: "", values: new Map(), rows: new Map(), wanted: null, old: false,
 };
 
 // The scan without which the scene cannot be shown.
@@ -24,8 +24,6 @@ export const missing = () => (page.shown?.error && page.shown.files.find((name) 
 
 // The page and its quick models, slow models, and boundary elements each have a lane.
 export const turns = new Turns(report);
-// What follows when it is ready, while the page is.
-export const asks = new Turns();
 
 // The scene has values that follow from a number that cannot be meant.
 export const implausible = () => Boolean(page.shown?.implausible);

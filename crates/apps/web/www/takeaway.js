@@ -17,9 +17,10 @@ function saves() {
   });
   on("save-values", () => {
     const { newtons, pascals } = page.load;
-    const { views, head, ends } = page.shown;
-    const numbers = ({ digits = "", lower = "", upper = "" } = {}) => (ends ? [digits, lower, upper] : [digits]);
-    const rows = chosen().map((id) => [id, page.values.get(id)?.cells ?? []]);
+    const { views } = page.shown;
+    const { head } = page.best;
+    const numbers = ({ digits = "", lower = "", upper = "" } = {}) => [digits, lower, upper];
+    const rows = [["best", page.best.row.cells], ...chosen().map((id) => [id, page.values.get(id)?.cells ?? []])];
     if (page.best.solved) rows.push(["bem", page.best.solved.cells]);
     const lines = rows.map(([id, cells]) => [id, newtons, pascals, ...views.flatMap((_, k) => numbers(cells[k]))].join());
     download("values.csv", [head, ...lines, ""].join("\n"), "text/csv");
@@ -84,11 +85,14 @@ async function code() {
   const { unit, newtons, pascals } = page.load;
   const [place, number] = unit === "Pa" ? ["pressure", pascals] : ["load", newtons];
   const names = page.shown.views.map(({ id }) => id).filter((id) => id !== "separation");
-  $("code-shell").textContent = `asperity curve scene.toml --model ${chosen()} --${place} ${number} \\
+  $("code-shell").textContent = `asperity curve scene.toml --model ${["best", ...chosen()]} --${place} ${number} \\
   --quantity ${names} --errors --format json`;
   $("code-python").textContent = `import asperity
 
 scene = asperity.Scene.from_toml("scene.toml")
+best = scene.answer(${JSON.stringify(names)}, ${place}=${number})
+for quantity in best.value:
+    print("best", quantity, best.value[quantity], best.lower[quantity], best.upper[quantity])
 for name in ${JSON.stringify(chosen())}:
     for quantity in ${JSON.stringify(names)}:
         try:

@@ -15,11 +15,11 @@ use options::{Configurable, Rearranged};
 
 use crate::joints::{Correlated, Correlation};
 use crate::{
-    AbdoFarhang, AminiTehrani, AsperityModel, AsperityPairs, AtReading, ChangEtsionBogy, Citation,
-    Contact, ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin,
-    Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen, JkrBranch,
-    JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene,
-    SumOfContacts, Validity, ZhaoMaiettaChang, nearest_name,
+    AbdoFarhang, AminiTehrani, AsperityModel, AsperityPairs, AtReading, Best, ChangEtsionBogy,
+    Citation, Contact, ContactError, ContactModel, DerjaguinMullerToporov, Described,
+    EtsionKligermanKadin, Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen,
+    JkrBranch, JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities,
+    Request, Scene, SumOfContacts, Validity, ZhaoMaiettaChang, nearest_name,
 };
 
 /// Any contact model, by value: cheap to clone, shared between threads, read from its name, and
@@ -132,6 +132,12 @@ impl Model {
         self.equal.as_deref().unwrap_or(self)
     }
 
+    /// What is known best about a scene, by the models here and solved surfaces: see [`Best`].
+    #[must_use]
+    pub fn best() -> Self {
+        Self::known(Best::<Self>::default())
+    }
+
     /// Every model that has an id here, with its default options: variants, too. `bem`, which needs
     /// a scan, is a model of the crate `asperity-bem`.
     #[must_use]
@@ -142,7 +148,7 @@ impl Model {
             let hardening = Self::hardening().into_iter().map(|model| model.on(asperities));
             Self::all_on(asperities).into_iter().chain(hardening).collect()
         });
-        [equal.concat(), Self::correlations(), others.concat()].concat()
+        [equal.concat(), Self::correlations(), others.concat(), vec![Self::best()]].concat()
     }
 
     /// The models of tables and pictures where none is named: those [of

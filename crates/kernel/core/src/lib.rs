@@ -48,7 +48,7 @@ pub use heights::weibull::WeibullHeights;
 pub use law::formula::{Formula, FunctionKey, Power};
 pub use law::{Law, Part, Regime, ShareParts, testkit};
 pub use model::asperity_model::AsperityModel;
-pub use model::contact::{Contact, ContactEngine};
+pub use model::contact::{Contact, ContactEngine, Interval};
 pub use model::contact_model::{ContactModel, SumOfContacts};
 pub use model::described::{Citation, Described, KnownDefect, Provenance, Validity};
 pub use model::variant::{IsVariant, Variant};

@@ -109,7 +109,7 @@ fn lines(rows: &[(Case, Bem)]) -> Result<String> {
 /// A quantity of a model, over its unit on a surface of this Sq; `None` where it has none.
 fn value(quantity: Compared, contact: &dyn Contact, load: f64, sq: f64) -> Result<Option<f64>> {
     use ContactError::{Integral, NotRequested, Unsupported};
-    match quantity.of_contact(contact, load * MODULUS * GRADIENT) {
+    match quantity.of_contact(contact, At::Pressure(load * MODULUS * GRADIENT)) {
         Ok(found) => Ok(Some(found / unit(quantity, contact.scene(), sq))),
         // Gao and AT miss their tolerance at some loads, and have no contact radii.
         Err(Integral { .. } | NotRequested { .. } | Unsupported { .. }) => Ok(None),

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use asperity::bem::Bem;
 use asperity::{
     At, Contact, ContactError, ContactModel, Datum, Described, Quantity, Request, SeparationUnit,
-    linspace,
+    linspace, short,
 };
 
 use super::error_bound::bounds;
@@ -160,6 +160,17 @@ impl Builder {
     }
 
     fn table(&self, nodes: Vec<ContactNode>) -> Outcome<ContactTable> {
+        // Where evidence ends, its gaps and those of a model do not meet.
+        let known = |node: &ContactNode| self.contact.interval_at(None, node.separation.into());
+        let known: Vec<bool> = nodes.iter().map(|node| known(node).is_some()).collect();
+        if let Some(k) = known.windows(2).position(|pair| pair[0] != pair[1]) {
+            let [from, to] = [nodes[k].pressure, nodes[k + 1].pressure].map(short);
+            return Err(format!(
+                "{}: evidence ends between {from} and {to} Pa, where the pressure would jump; give a range on one side, or name a model",
+                self.contact.model()
+            )
+            .into());
+        }
         let [mut pressure_error, mut stiffness_error] = [0.0_f64; 2];
         for (from, to) in nodes.iter().zip(&nodes[1..]) {
             if !self.monotone(from, to) {

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 use asperity::bem::{Bem, BemError, LoadCase, Progress};
 use asperity::{
-    Check, Compared, ContactError, ContactModel, Described, Finding, Model, Quantity, Request,
+    At, Check, Compared, ContactError, ContactModel, Described, Finding, Model, Quantity, Request,
     Scene, compile_known,
 };
 pub use sentences::{beside_table, summary, unranked};
@@ -115,7 +115,7 @@ pub fn compare_with_bem(
                     let (contact, lacking) = compiled.as_ref().map_err(Clone::clone)?;
                     match lacking.iter().find(|(lacks, _)| of.quantity() == Some(*lacks)) {
                         Some((_, why)) => Err(why.clone()),
-                        None => of.of_contact(&**contact, pressure).map(Some),
+                        None => of.of_contact(&**contact, At::Pressure(pressure)).map(Some),
                     }
                 });
                 if let Some(&area) = found.get(&Compared::Area) {
@@ -228,7 +228,7 @@ mod tests {
             summary(&[Truth { half, ..coarse.clone() }])
         };
         let near = off(1.0003);
-        assert!(near.contains(" in area") && near.contains("not ranked"), "{near}");
+        assert!(near.contains(" in real area") && near.contains("not ranked"), "{near}");
         let [refined, alone] = [off(1.9), summary(std::slice::from_ref(&coarse))];
         assert!(refined.contains("too coarse"), "{refined}");
         assert!(alone.starts_with(&refined) && alone.contains("(refine)"), "{alone}");

@@ -1,9 +1,6 @@
 //! Models beside boundary elements on a scan, in sentences.
 
-use asperity::{
-    At, Code, Compared, ContactError, Described, EvidenceAt, Model, Quantity, Ratio, Request,
-    Scene, SurfaceShape, nearest_in_each, recommend_among, usual_reference,
-};
+use asperity::{At, Code, Compared, Described, Tolerance, nearest_in_each};
 use asperity_scene::SceneFile;
 
 use super::{ContactState, Truth};
@@ -51,9 +48,9 @@ pub fn unranked(codes: &[Vec<Code>]) -> Option<[&'static str; 2]> {
 #[must_use]
 pub fn summary(found: &[Truth]) -> String {
     let mut known = Compared::RANKED.to_vec();
-    known.retain(|(quantity, _)| found.iter().any(|truth| truth.bem.contains_key(quantity)));
+    known.retain(|quantity| found.iter().any(|truth| truth.bem.contains_key(quantity)));
     let is_coarse = found.iter().any(|truth| truth.has_note(&COARSE));
-    let is_ranked = |(quantity, _): &_| !is_coarse || grid_is_nearest(found, *quantity);
+    let is_ranked = |quantity: &_| !is_coarse || grid_is_nearest(found, *quantity);
     let (ranked, others): (Vec<_>, Vec<_>) = known.into_iter().partition(is_ranked);
     let codes = |truth: &Truth| {
         let codes = truth.notes.iter().map(|note| note.code);
@@ -71,8 +68,8 @@ pub fn summary(found: &[Truth]) -> String {
     let ids = models.iter().map(|(model, _)| model.id());
     let off = |id: &str, of| resolved.iter().map(|truth| truth.off(id, of)).collect();
     let mut nearest = nearest_in_each(ids, off, &ranked).join("; ");
-    for (_, name) in others {
-        nearest += &format!("; models are not ranked in {name}, which depends on the grid");
+    for of in others {
+        nearest += &format!("; models are not ranked in {}, which depends on the grid", of.label());
     }
     match (resolved.len(), found.len()) {
         (count, all) if all == count => format!("over these loads, {nearest}"),
@@ -96,70 +93,47 @@ fn grid_is_nearest(found: &[Truth], quantity: Compared) -> bool {
     grid.zip(nearest).is_some_and(|(grid, nearest)| grid < nearest)
 }
 
-/// How far the usual reference model is from boundary elements on the scan of a scene, and whether
-/// that lies in the interval of the solved surfaces, a line for each quantity; or why there is no
-/// interval. Loads that few pixels or patches carry do not count. Empty if the scene does not allow
-/// that model.
+/// Whether what was solved on the scan of a scene lies in the intervals of solved surfaces, a line
+/// for each quantity; or why there is no interval. Loads that few pixels or patches carry do not
+/// count.
 #[must_use]
 pub fn beside_table(file: &SceneFile, found: &[Truth]) -> Vec<String> {
-    let Ok(model) = file.model(usual_reference(&file.scene)) else { return vec![] };
-    match file.surface_shape() {
-        Ok(shape) => lines(found, &file.scene, shape, &model).unwrap_or_else(|reason| {
-            vec![format!("the solved surfaces were not compared: {reason}")]
-        }),
-        Err(reason) => vec![reason.to_string()],
-    }
-}
-
-fn lines(
-    found: &[Truth],
-    scene: &Scene,
-    shape: Option<SurfaceShape>,
-    model: &Model,
-) -> Result<Vec<String>, ContactError> {
     let resolved = found.iter().filter(|truth| !truth.has_note(&FEW) && !truth.has_note(&COARSE));
     let resolved: Vec<&Truth> = resolved.collect();
-    if resolved.is_empty() {
-        return Ok(vec![]);
-    }
-    let loads: Vec<At> = resolved.iter().map(|truth| At::Pressure(truth.pressure)).collect();
-    let request = Request::new([Quantity::Area]).at(loads);
-    let table = recommend_among(vec![], scene, shape, &request, model, 1.0)?.evidence;
-    let covered = |place: &EvidenceAt| -> Option<&Truth> {
-        let here = |truth: &&&Truth| At::Pressure(truth.pressure) == place.at;
-        resolved.iter().find(here).copied().filter(|_| place.expected.is_ok())
+    let best = match file.best().on(&file.scene, Tolerance::default()) {
+        Ok(best) if !resolved.is_empty() => best,
+        _ => return vec![],
     };
-    let covered: Vec<(&Truth, &EvidenceAt)> =
-        table.iter().filter_map(|place| Some((covered(place)?, place))).collect();
-    let Some((_, EvidenceAt { expected: Ok(first), .. })) = covered.first() else {
-        let reason = table.iter().find_map(|place| place.expected.as_ref().err());
-        let reason = reason.map_or_else(String::new, |reason| match reason {
-            ContactError::Refused { reason, .. } => reason.clone(),
-            reason => reason.to_string(),
-        });
-        return Ok(vec![format!("the solved surfaces do not cover this scan: {reason}")]);
+    let at = |truth: &Truth| At::Pressure(truth.pressure);
+    let bases: Vec<_> = resolved.iter().map(|truth| best.basis(at(truth))).collect();
+    let Some(basis) = bases.iter().find_map(|basis| basis.as_ref().ok()) else {
+        let reason = bases.iter().find_map(|basis| basis.as_ref().err());
+        let reason = reason.map_or_else(String::new, ToString::to_string);
+        return vec![format!("the solved surfaces do not cover this scan: {reason}")];
     };
-    let line = |quantity: Compared| {
-        let both = |(truth, place): &(&Truth, &EvidenceAt)| {
-            let off = truth.off(model.id(), quantity)?;
-            Some((Ratio::solved(off, quantity), place.ratio(model.id(), quantity)?))
+    let line = |of: Compared| {
+        let both = |truth: &&Truth| {
+            let known = best.known(of, at(truth)).ok()?;
+            Some((*truth.bem.get(&of)?, known.value, known.ends?))
         };
-        let both: Vec<(Ratio, Ratio)> = covered.iter().filter_map(both).collect();
+        let both: Vec<(f64, f64, [f64; 2])> = resolved.iter().filter_map(both).collect();
         // An area of F/H is an end of its interval.
-        let inside = |(scan, table): &&(Ratio, Ratio)| {
-            (table.low - SAME..=table.high + SAME).contains(&scan.ratio)
+        let inside = |(solved, _, [low, high]): &&(f64, f64, [f64; 2])| {
+            (low - SAME * low.abs()..=high + SAME * high.abs()).contains(solved)
         };
-        let (all, different) = (both.len(), both.iter().filter(|pair| !inside(pair)).count());
-        let (scan, table) =
-            both.into_iter().reduce(|(a, b), (c, d)| (a.with(c, quantity), b.with(d, quantity)))?;
-        let (name, scan, table) = (model.id(), scan.words(quantity), table.words(quantity));
-        let verdict = match different {
-            0 => "the solved surfaces agree".into(),
-            some if some == all => "the solved surfaces differ".into(),
-            some => format!("at {some} of {all} loads the solved surfaces differ"),
-        };
-        let basis = first.basis();
-        Some(format!("{name} {scan} on this scan; {verdict}: {name} {table} ({basis})"))
+        let (all, agree) = (both.len(), both.iter().filter(inside).count());
+        let gap = found.first().filter(|_| of == Compared::MeanGap).map(|truth| truth.rms_height);
+        let off =
+            |(solved, value, _): &(f64, f64, [f64; 2])| (solved - value) / gap.unwrap_or(*value);
+        let most = both.iter().map(off).reduce(|a, b| if b.abs() > a.abs() { b } else { a })?;
+        let unit = if gap.is_some() { "% of Sq" } else { "%" };
+        let loads = if all == 1 { String::new() } else { format!(" at {agree} of {all} loads") };
+        let verdict = if agree == 0 { "is outside" } else { "lies in" };
+        Some(format!(
+            "{} {verdict} the interval of solved surfaces{loads}, up to {:+.0} {unit} from its middle ({basis})",
+            of.label(),
+            100.0 * most
+        ))
     };
-    Ok(Compared::ALL.into_iter().filter_map(line).collect())
+    Compared::ALL.into_iter().filter_map(line).collect()
 }

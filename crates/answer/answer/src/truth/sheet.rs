@@ -32,7 +32,7 @@ const COLUMNS: [(Compared, [&str; 2]); 4] = [
 pub fn compared(named: &[Quantity]) -> Result<Vec<Compared>, AnswerError> {
     let behind = |quantity: &Quantity| match quantity {
         Quantity::Stiffness => Ok(Compared::Stiffness),
-        other => Compared::behind(*other).map(|(behind, _)| behind).ok_or_else(|| {
+        other => Compared::behind(*other).ok_or_else(|| {
             format!("{other} is not compared: choose tangent, unloading-stiffness or a conductance")
         }),
     };

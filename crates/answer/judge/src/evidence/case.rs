@@ -71,6 +71,17 @@ impl Compared {
             Self::MeanGap => "mean_gap",
         }
     }
+
+    /// Its name in sentences.
+    #[must_use]
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Area => "real area",
+            Self::Stiffness => "first-loading stiffness",
+            Self::UnloadingStiffness => "stiffness of small vibrations",
+            Self::MeanGap => "mean gap",
+        }
+    }
 }
 
 impl EvidenceRow {

@@ -1,8 +1,8 @@
 //! How many asperities of a scene touch: one count for every model that is compared with boundary
 //! elements.
 
+use crate::best::Answering;
 use crate::recommended::usual_reference;
-use crate::weighed::Weighed;
 use asperity_core::{At, Contact, ContactError, Quantity, Request, Scene};
 
 /// Counts the asperities in contact at a load. Counts of models differ, by orders of magnitude with
@@ -11,10 +11,10 @@ pub(crate) struct Counted(Option<Box<dyn Contact>>);
 
 impl Counted {
     /// By the usual reference of the scene.
-    pub(crate) fn on<M: Weighed>(scene: &Scene) -> Result<Self, ContactError> {
+    pub(crate) fn on<M: Answering>(scene: &Scene) -> Result<Self, ContactError> {
         // With the force law, which finds the separation of a load.
         let asked = Request::new([Quantity::Contacts]).at([At::Pressure(1.0)]);
-        Ok(Self(M::of_id(usual_reference(scene))?.compile(scene, &asked).ok()))
+        Ok(Self(usual_reference(scene).parse::<M>()?.compile(scene, &asked).ok()))
     }
 
     /// Contacts at a mean pressure \[Pa\]; `None` if unknown.

@@ -20,6 +20,8 @@ const LIGHTER: f64 = 30.0;
 const BEYOND_SKEWNESS: f64 = 0.2;
 /// Asperities in contact for each patch of at least 12 pixels: 1.6 to 2.6 at α of 45 to 2.8.
 const CONTACTS_PER_PATCH: f64 = 2.0;
+/// Hurst exponents from which stiffness and gap are those of the solved surfaces.
+pub(crate) const LEAST_HURST: f64 = 0.6;
 /// Ratio of slopes below which a surface counts as isotropic.
 const ISOTROPIC: f64 = 1.25;
 /// Skewness below which heights count as Gaussian.
@@ -102,6 +104,8 @@ pub(crate) struct Coordinates {
     /// m₀ m₄/m₂².
     pub(crate) alpha: f64,
     pub(crate) shape: SurfaceShape,
+    /// Whether the Hurst exponent is known to be near that of the solved surfaces.
+    pub(crate) like: bool,
     /// ψ; 0 without a hardness.
     pub(crate) index: f64,
     /// E g/H; 0 without a hardness. It decides how much yields: ψ holds the bandwidth, too.
@@ -136,6 +140,7 @@ impl Coordinates {
         Ok(Self {
             alpha: moments.bandwidth(),
             shape: shape.unwrap_or_default().rounded(),
+            like: shape.and_then(|shape| shape.hurst).is_some_and(|hurst| hurst >= LEAST_HURST),
             index: index.unwrap_or(0.0),
             strain: asperity.hardness.map_or(0.0, |hardness| unit / hardness),
             load: positive("pressure", pressure)? / unit,
@@ -151,7 +156,7 @@ impl Coordinates {
         let contacts = CONTACTS_PER_PATCH * case.patches.max(1) as f64 / surfaces;
         let shape = SurfaceShape::new(skewness, [slope_ratio, 1.0]);
         let (strain, load) = (strain(alpha, index)?, case.load);
-        Ok(Self { alpha, shape, index, strain, load, contacts, surfaces })
+        Ok(Self { alpha, shape, like: false, index, strain, load, contacts, surfaces })
     }
 
     pub(crate) fn same_family(&self, other: &Self) -> bool {

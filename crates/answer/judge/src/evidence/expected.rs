@@ -6,9 +6,9 @@
 
 use serde::Serialize;
 
+use crate::evidence::Evidence;
 use crate::evidence::case::Compared;
-use crate::evidence::coordinates::{Coordinates, SurfaceShape, gradient};
-use crate::evidence::{Evidence, Ratio};
+use crate::evidence::coordinates::{Coordinates, LEAST_HURST, SurfaceShape, gradient};
 use asperity_core::{ContactError, Scene, short};
 
 /// With fewer contacts, scatter alone exceeds the widest interval.
@@ -16,7 +16,6 @@ const FEWEST: f64 = 4.0;
 /// Spectra of at least this α whose Hurst exponent is below the second number have no stiffness and
 /// gap: 12 and 16 of 30 were in their interval at exponents of 0.3 to 0.5.
 const BROAD: f64 = 10.0;
-const LEAST_HURST: f64 = 0.6;
 
 /// Boundary elements at a load, interpolated between solved surfaces.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -94,21 +93,6 @@ impl ExpectedContact {
     pub(crate) fn needs_hurst(&self) -> bool {
         self.alpha > BROAD && self.hurst.is_none()
     }
-
-    /// The ratio of a model to the estimate, or the difference of mean gaps over Sq; `model` is its
-    /// value at [`pressure`](Self::pressure) in the unit of the estimate. `None` without an
-    /// estimate, and where the ratio is not a positive number.
-    #[must_use]
-    pub fn ratio(&self, quantity: Compared, model: f64) -> Option<Ratio> {
-        let Estimate { value, low, high } = self.estimate(quantity)?;
-        let of = |bem: f64| match quantity {
-            Compared::MeanGap => (model - bem) / self.rms_height,
-            _ => model / bem,
-        };
-        let found = Ratio { ratio: of(value), low: of(high), high: of(low) };
-        let sensible = quantity == Compared::MeanGap || found.ratio > 0.0;
-        (sensible && found.ratio.is_finite()).then_some(found)
-    }
 }
 
 impl ExpectedContact {
@@ -123,14 +107,8 @@ impl ExpectedContact {
             false => text += ", elastic",
         }
         text.extend(self.shape.differences().into_iter().map(|part| format!(", {part}")));
-        format!("{text}; {}", self.solved())
-    }
-
-    /// What was solved: `boundary elements on 16 surfaces`.
-    #[must_use]
-    pub fn solved(&self) -> String {
         let hurst = if self.needs_hurst() { ", for a Hurst exponent near 0.8" } else { "" };
-        format!("boundary elements on {} surfaces{hurst}", self.surfaces)
+        format!("{text}; boundary elements on {} surfaces{hurst}", self.surfaces)
     }
 }
 
@@ -171,6 +149,18 @@ impl Evidence {
         pressure: f64,
         contacts: Option<f64>,
     ) -> Result<ExpectedContact, ContactError> {
+        self.expected_of(&Compared::ALL, scene, shape, pressure, contacts)
+    }
+
+    /// The same of some quantities alone.
+    pub(crate) fn expected_of(
+        &self,
+        quantities: &[Compared],
+        scene: &Scene,
+        shape: Option<SurfaceShape>,
+        pressure: f64,
+        contacts: Option<f64>,
+    ) -> Result<ExpectedContact, ContactError> {
         let mut place = Coordinates::of_scene(scene, shape, pressure)?;
         if let Some(few) = contacts.filter(|contacts| *contacts < 1.0) {
             let reason = format!("less than one asperity touches ({})", short(few));
@@ -186,7 +176,7 @@ impl Evidence {
         let rms_height = moments.m0.sqrt();
         let stiffness = unit * scene.nominal_area / rms_height;
         let hurst = shape.and_then(|shape| shape.hurst);
-        let estimate = |quantity: Compared| {
+        let estimate = |&quantity: &Compared| {
             if quantity != Compared::Area && is_rough(place.alpha, hurst) {
                 return None;
             }
@@ -212,7 +202,7 @@ impl Evidence {
             let [value, low, high] = found.map(|x| unit * x.max(least));
             Some((quantity, Estimate { value, low, high }))
         };
-        let mut values: Vec<_> = Compared::ALL.into_iter().filter_map(estimate).collect();
+        let mut values: Vec<_> = quantities.iter().filter_map(estimate).collect();
         unload_stiffer(&mut values);
         if values.is_empty() {
             let reason = match place.contacts {

@@ -12,6 +12,11 @@ const WIDEST: f64 = 0.4;
 /// Relative scatter of a surface, times the square root of the number of its contacts: of areas,
 /// and of all others (0.25 to 0.46 and 0.5 to 1.0 on five surfaces each at α of 2.8 to 45).
 const SCATTER: [f64; 2] = [0.4, 0.8];
+/// Scatter of mean gaps over Sq relative to that: at equal loads they differ by the change of the
+/// gap with the logarithm of the load, up to 0.6 Sq.
+const GAP_SCATTER: f64 = 0.7;
+/// Least part of the interval that is left where contacts are fully plastic.
+const SETTLED: f64 = 0.5;
 /// Systematic deviation of a surface with few contacts, times their number; none for the area.
 const FEW: f64 = 1.4;
 /// Pressures over the hardness up to which quantities are stated; beyond, they change too fast
@@ -29,7 +34,7 @@ impl Evidence {
     pub(crate) fn interval(&self, quantity: Compared, place: &Coordinates) -> Option<[f64; 3]> {
         let place = &followed(quantity, place);
         let [middle, deviation] = self.process(quantity)?.at(place);
-        let half = COVERAGE * deviation.hypot(sample(quantity, place));
+        let half = COVERAGE * settled(quantity, place) * deviation.hypot(sample(quantity, place));
         (half <= WIDEST).then_some(
             [middle, middle - half, middle + half].map(|x| of_logarithm(quantity, place, x)),
         )
@@ -66,14 +71,15 @@ impl Compared {
 
 /// Standard deviations of the process. Areas hardly depend on more of a spectrum than its
 /// bandwidth, stiffnesses and gaps do: on new families of broad spectra with a Hurst exponent of
-/// 0.3 they deviated by up to 17 %, with 0.9 by up to 10 %.
+/// 0.3 they deviated by up to 17 %, with 0.9 by up to 10 %; under light loads areas by 6 % and
+/// stiffnesses by 13 % at an exponent of 0.5.
 fn spread(quantity: Compared) -> Spread {
-    let [amplitude, spectrum] = match quantity {
-        Compared::Area => [0.3, 0.0],
-        Compared::Stiffness | Compared::UnloadingStiffness => [0.45, 0.03],
-        Compared::MeanGap => [0.6, 0.03],
+    let [amplitude, spectrum, light, like] = match quantity {
+        Compared::Area => [0.3, 0.0, 0.015, 1.0],
+        Compared::Stiffness | Compared::UnloadingStiffness => [0.45, 0.03, 0.03, 1.0],
+        Compared::MeanGap => [0.6, 0.03, 0.0, 0.3],
     };
-    Spread { amplitude, spectrum }
+    Spread { amplitude, spectrum, light, like }
 }
 
 /// The place with the skewness that the quantity follows.
@@ -92,7 +98,17 @@ fn sample(quantity: Compared, place: &Coordinates) -> f64 {
     let [area, others] = SCATTER;
     match quantity {
         Compared::Area => area / all,
+        Compared::MeanGap => (GAP_SCATTER * others / all).hypot(FEW / place.contacts),
         _ => (others / all).hypot(FEW / place.contacts),
+    }
+}
+
+/// How much of the interval is left by yielding: a plastic area is p/H, whatever the surface. Areas
+/// of single scans scattered half as much at E g/H = 2 as elastic ones, and a quarter at 2.5.
+fn settled(quantity: Compared, place: &Coordinates) -> f64 {
+    match quantity {
+        Compared::Area => (1.0 + (place.strain / ELASTIC).powi(4)).sqrt().recip().max(SETTLED),
+        _ => 1.0,
     }
 }
 

@@ -1,43 +1,27 @@
 //! Models compared with boundary elements: the table on which advice is based.
 
 mod case;
-#[cfg(feature = "evidence")]
+mod cholesky;
 mod contacts;
-#[cfg(feature = "evidence")]
 mod coordinates;
 mod csv;
-#[cfg(feature = "evidence")]
 mod expected;
-#[cfg(feature = "evidence")]
 mod interval;
-#[cfg(feature = "evidence")]
 mod of_model;
-#[cfg(feature = "evidence")]
 mod process;
-#[cfg(feature = "evidence")]
-mod ratio;
 
 use std::sync::OnceLock;
 
-#[cfg(feature = "evidence")]
 use coordinates::Coordinates;
-#[cfg(feature = "evidence")]
 use process::Process;
 
-#[cfg(feature = "evidence")]
 pub(crate) use contacts::Counted;
-#[cfg(feature = "evidence")]
-pub(crate) use of_model::{Lacking, compile};
-#[cfg(feature = "evidence")]
-pub use of_model::{compile_compared, compile_known};
+pub(crate) use of_model::Lacking;
+pub use of_model::compile_known;
 
 pub use crate::evidence::case::{Compared, EvidenceCase, EvidenceRow};
-#[cfg(feature = "evidence")]
 pub use crate::evidence::coordinates::SurfaceShape;
-#[cfg(feature = "evidence")]
 pub use crate::evidence::expected::{Estimate, ExpectedContact};
-#[cfg(feature = "evidence")]
-pub use crate::evidence::ratio::Ratio;
 use asperity_core::ContactError;
 
 /// Boundary elements on generated surfaces, and models beside them, as `cargo xtask truth` computes
@@ -45,15 +29,13 @@ use asperity_core::ContactError;
 /// `bem::RandomSurface`; isotropic and Gaussian, or skewed, or with a lay;
 /// elastic and with plasticity indices (moments, E, S and H as the models use them).
 ///
-/// With the feature `evidence`, `expected` interpolates between them.
+/// [`expected`](Self::expected) interpolates between them.
 #[derive(Debug, Clone)]
 pub struct Evidence {
     cases: Vec<EvidenceCase>,
     /// Of the cases, in their order.
-    #[cfg(feature = "evidence")]
     places: Vec<Coordinates>,
     /// Through the cases, one for each of [`Compared::ALL`], made at first use.
-    #[cfg(feature = "evidence")]
     processes: [OnceLock<Option<Process>>; Compared::ALL.len()],
 }
 
@@ -100,34 +82,10 @@ impl Evidence {
 
     fn of_cases(cases: Vec<EvidenceCase>) -> Result<Self, ContactError> {
         Ok(Self {
-            #[cfg(feature = "evidence")]
             places: cases.iter().map(Coordinates::of_case).collect::<Result<_, _>>()?,
-            #[cfg(feature = "evidence")]
             processes: Default::default(),
             cases,
         })
-    }
-
-    /// The solved cases of isotropic Gaussian surfaces in one line: `alpha 3.1, 7.5, 29.5, elastic
-    /// and psi 1, 2, 4, p/(E g) from 0.001 to 0.2`.
-    #[must_use]
-    pub fn solved(&self) -> String {
-        let each = |of: fn(&EvidenceCase) -> f64| {
-            let plain = |case: &&EvidenceCase| case.skewness == 0.0 && case.slope_ratio <= 1.0;
-            let plain = self.cases.iter().filter(plain);
-            let mut all: Vec<f64> = plain.map(of).filter(|x| *x > 0.0).collect();
-            all.sort_by(f64::total_cmp);
-            all.dedup();
-            all
-        };
-        let listed = |all: Vec<String>| all.join(", ");
-        let alpha = each(|case| case.alpha).iter().map(|x| format!("{x:.1}")).collect();
-        let index = each(|case| case.plasticity_index).iter().map(ToString::to_string).collect();
-        let loads = each(|case| case.load);
-        let end = |load: Option<&f64>| load.map_or_else(String::new, ToString::to_string);
-        let [lightest, heaviest] = [loads.first(), loads.last()].map(end);
-        let (alpha, index) = (listed(alpha), listed(index));
-        format!("alpha {alpha}, elastic and psi {index}, p/(E g) from {lightest} to {heaviest}")
     }
 
     /// All cases, ordered by surface, material and load.
@@ -138,5 +96,4 @@ impl Evidence {
 }
 
 #[cfg(test)]
-#[cfg(feature = "evidence")]
 mod tests;

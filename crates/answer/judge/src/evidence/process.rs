@@ -2,8 +2,7 @@
 //! \[recalled\]): interpolates the means of the solved cases and gives the standard deviation of
 //! the interpolation.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
-
+use crate::evidence::cholesky::{Factor, dot};
 use crate::evidence::coordinates::Coordinates;
 
 /// Standard deviation of the constant.
@@ -22,6 +21,8 @@ const SKEWED: f64 = 0.12;
 const PEAKS: [f64; 2] = [0.06, 0.1];
 /// Standard deviation between families of the narrowest spectra.
 const FAMILY: f64 = 0.01;
+/// p/(E g) between which loads become light.
+const LIGHT: [f64; 2] = [3e-3, 1e-3];
 /// α of a single wave, the least.
 const NARROWEST: f64 = 1.5;
 /// Standard deviation of a single row.
@@ -49,12 +50,26 @@ pub(crate) struct Spread {
     /// Between spectra of one bandwidth, per unit of ln α: the broader they are, the more they can
     /// differ.
     pub(crate) spectrum: f64,
+    /// The same of what light loads add, which the highest asperities carry.
+    pub(crate) light: f64,
+    /// The part of it that is left where the Hurst exponent is known.
+    pub(crate) like: f64,
 }
 
 impl Spread {
     /// Between families of the bandwidth of this place.
     fn of_family(self, place: &Coordinates) -> f64 {
         FAMILY.hypot(self.spectrum * (place.alpha / NARROWEST).ln())
+    }
+
+    /// The same with what the load of the place adds.
+    fn at(self, place: &Coordinates) -> f64 {
+        let [heavier, lighter] = LIGHT;
+        let light = ((heavier / place.load).ln() / (heavier / lighter).ln()).clamp(0.0, 1.0);
+        let like = if place.like { self.like } else { 1.0 };
+        FAMILY
+            .hypot(like * self.spectrum * (place.alpha / NARROWEST).ln())
+            .hypot(self.light * light * (place.alpha / NARROWEST).ln())
     }
 }
 
@@ -63,21 +78,20 @@ impl Spread {
 pub(crate) struct Process {
     spread: Spread,
     inputs: Vec<Input>,
-    factor: Cholesky<f64, Dyn>,
-    weights: DVector<f64>,
+    factor: Factor,
+    weights: Vec<f64>,
 }
 
 impl Process {
     /// The surface through these values; `None` if there are none.
     pub(crate) fn through(solved: &[SolvedValue], spread: Spread) -> Option<Self> {
         let inputs: Vec<Input> = solved.iter().map(|solved| input(&solved.place)).collect();
-        let covariance = DMatrix::from_fn(solved.len(), solved.len(), |i, j| {
+        let factor = Factor::new(solved.len(), |i, j| {
             covariance(&inputs[i], &inputs[j], spread.amplitude)
                 + noise([&solved[i], &solved[j]], spread, i == j)
         });
-        let values = DVector::from_iterator(solved.len(), solved.iter().map(|solved| solved.value));
-        let factor = Cholesky::new(covariance).filter(|_| !solved.is_empty())?;
-        let weights = factor.solve(&values);
+        let factor = factor.filter(|_| !solved.is_empty())?;
+        let weights = factor.solve(solved.iter().map(|solved| solved.value).collect());
         Some(Self { spread, inputs, factor, weights })
     }
 
@@ -85,13 +99,11 @@ impl Process {
     pub(crate) fn at(&self, place: &Coordinates) -> [f64; 2] {
         let here = input(place);
         let of = |input: &Input| covariance(&here, input, self.spread.amplitude);
-        let shared = DVector::from_iterator(self.inputs.len(), self.inputs.iter().map(of));
-        let value = shared.dot(&self.weights);
-        let explained = self.factor.l_dirty().solve_lower_triangular(&shared);
-        let family = self.spread.of_family(place).hypot(of_skewness(place)).powi(2);
-        let prior = of(&here) + family;
-        // The factor has a positive diagonal, so that there is a solution.
-        let variance = explained.map_or(prior, |part| prior - part.norm_squared());
+        let shared: Vec<f64> = self.inputs.iter().map(of).collect();
+        let value = dot(&shared, &self.weights);
+        let family = self.spread.at(place).hypot(of_skewness(place)).powi(2);
+        let explained = self.factor.half_solve(shared);
+        let variance = of(&here) + family - dot(&explained, &explained);
         [value, variance.max(family).sqrt()]
     }
 }
@@ -111,10 +123,14 @@ fn input(place: &Coordinates) -> Input {
 /// Isotropic Gaussian surfaces change with load, bandwidth and hardness; the effect of a skewness
 /// or a lay adds to that, in proportion to it for small ones.
 fn covariance(a: &Input, b: &Input, amplitude: f64) -> f64 {
-    let near = |k: usize| (-0.5 * ((a[k] - b[k]) / LENGTHS[k]).powi(2)).exp();
-    let effect = |k: usize, unit: f64| unit * unit * a[k] * b[k] * near(k);
-    let parts = [amplitude * amplitude * near(1), effect(3, PER_SKEWNESS), effect(4, PER_SLOPES)];
-    CONSTANT * CONSTANT + near(0) * near(2) * parts.iter().sum::<f64>()
+    let square = |k: usize| -0.5 * ((a[k] - b[k]) / LENGTHS[k]).powi(2);
+    let effect = |k: usize, unit: f64| match a[k] * b[k] {
+        0.0 => 0.0,
+        both => unit * unit * both * square(k).exp(),
+    };
+    let parts =
+        amplitude * amplitude * square(1).exp() + effect(3, PER_SKEWNESS) + effect(4, PER_SLOPES);
+    CONSTANT * CONSTANT + (square(0) + square(2)).exp() * parts
 }
 
 /// The same surfaces stand behind all materials of a family, and partly behind its next loads.
@@ -135,7 +151,16 @@ mod tests {
     fn solved_value(alpha: f64, load: f64, value: f64) -> SolvedValue {
         let shape = SurfaceShape::default();
         let (contacts, surfaces) = (100.0, 4.0);
-        let place = Coordinates { alpha, shape, index: 0.0, strain: 0.0, load, contacts, surfaces };
+        let place = Coordinates {
+            alpha,
+            shape,
+            like: false,
+            index: 0.0,
+            strain: 0.0,
+            load,
+            contacts,
+            surfaces,
+        };
         SolvedValue { place, value, error: 0.01 }
     }
 
@@ -147,7 +172,7 @@ mod tests {
             .into_iter()
             .flat_map(|alpha| loads.map(|load| solved_value(alpha, load, plane(alpha, load))))
             .collect();
-        let spread = Spread { amplitude: 0.5, spectrum: 0.01 };
+        let spread = Spread { amplitude: 0.5, spectrum: 0.01, light: 0.0, like: 1.0 };
         let process = Process::through(&all, spread).unwrap();
         let [value, deviation] = process.at(&solved_value(17.0, 3e-3, 0.0).place);
         assert!((value - plane(17.0, 3e-3)).abs() < 0.01, "{value}");
@@ -159,7 +184,7 @@ mod tests {
         let [same, unknown] = process.at(&skewed);
         assert!((same - value).abs() < 1e-9 && unknown > 0.55, "{unknown}");
         // The broader the spectra, the more those of one bandwidth differ.
-        let broad = Spread { amplitude: 0.5, spectrum: 0.03 };
+        let broad = Spread { amplitude: 0.5, spectrum: 0.03, light: 0.0, like: 1.0 };
         let [little, much] =
             [3.0, 17.0].map(|a| broad.of_family(&solved_value(a, 3e-3, 0.0).place));
         assert!(much > 3.0 * little && little > 0.02, "{little} {much}");

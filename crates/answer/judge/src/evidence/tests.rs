@@ -34,14 +34,6 @@ fn the_committed_table_is_complete() {
     assert!(Evidence::CSV.len() < 150_000, "{}", Evidence::CSV.len());
 }
 
-/// Other texts repeat the line of `solved`.
-#[test]
-fn the_solved_cases_are_listed() {
-    let solved = Evidence::committed().unwrap().solved();
-    assert!(solved.starts_with("alpha 3.1, 7.5, 29.5, 76.9, 135.1, "), "{solved}");
-    assert!(solved.ends_with(", p/(E g) from 0.00001 to 0.3"), "{solved}");
-}
-
 /// A model without evidence may stand: the table knows nothing of models.
 #[test]
 fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
@@ -240,19 +232,6 @@ fn families_left_out_lie_in_their_interval() {
     assert!((0.85..=0.97).contains(&covered), "{covered}");
     assert!(share >= 0.6, "{share}");
     assert!(half <= 0.15, "{half}");
-}
-
-#[test]
-fn a_ratio_compares_a_model_with_the_estimate() {
-    let (scene, pressure) = (scene(8.0, 2.0), 0.01 * unit());
-    let found = Evidence::committed().unwrap().expected(&scene, None, pressure, None).unwrap();
-    let area = found.estimate(Compared::Area).unwrap();
-    let ratio = found.ratio(Compared::Area, 0.9 * area.value).unwrap();
-    assert!((ratio.ratio - 0.9).abs() < 1e-12 && ratio.low < 0.9 && ratio.high > 0.9);
-    assert!(found.ratio(Compared::Area, f64::NAN).is_none());
-    let gap = found.estimate(Compared::MeanGap).unwrap();
-    let ratio = found.ratio(Compared::MeanGap, gap.value + 0.1 * found.rms_height).unwrap();
-    assert!((ratio.ratio - 0.1).abs() < 1e-12, "{ratio:?}");
 }
 
 /// Tangent and unloading stiffness are interpolated one by one, and cross where little yields.

@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 use asperity::bem::Bem;
 use asperity::{At, ContactModel, Quantity, Request, SeparationUnit, linspace};
-use asperity_answer::{Beside, Cell, Inquiry, Sheet, models, one_model, patch, with_ranges};
+use asperity_answer::{
+    Beside, Cell, Inquiry, Sheet, best_and_nearest, models, one_model, patch, with_ranges,
+};
 use asperity_scene::{SceneFile, read_measurements};
 use clap::Args;
 use clap::error::ErrorKind;
@@ -52,21 +54,17 @@ pub struct Curve {
     /// absolute error for logarithms and shares)
     #[arg(long)]
     errors: bool,
-    /// Add rows divided by the ratio to boundary elements that is expected from solved surfaces,
-    /// with columns such as area_lower_m2 and area_upper_m2, also for the separation; at loads only
-    #[arg(long, requires = "given", conflicts_with_all = ["errors", "all"])]
-    corrected: bool,
     /// Add a column <quantity>_deviation relative to this model
     #[arg(long, value_name = "M", value_parser = model_id)]
-    #[arg(conflicts_with_all = ["errors", "corrected", "all"])]
+    #[arg(conflicts_with_all = ["errors", "all"])]
     reference: Option<String>,
     /// Print how the values are computed instead: the integrals, their number of terms, and the
     /// terms left out
-    #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference", "plot", "format"])]
+    #[arg(long, conflicts_with_all = ["errors", "all", "reference", "plot", "format"])]
     plan: bool,
     /// Print the largest tension of models with adhesion instead (dmt and jkr-separation, if none
     /// is named), and its separation
-    #[arg(long, conflicts_with_all = ["errors", "corrected", "all", "reference", "plan", "given"])]
+    #[arg(long, conflicts_with_all = ["errors", "all", "reference", "plan", "given"])]
     #[arg(conflicts_with_all = ["separations", "films", "ratios", "quantities", "plot"])]
     pull_off: bool,
     /// Also draw the measured points of this file, whose columns have the names of this table: one
@@ -108,7 +106,11 @@ impl Curve {
             // The place of the row.
             request.quantities.retain(|quantity| *quantity != Quantity::Approach);
         }
-        let fill = |file: &_, sheet: &mut _| self.answer(file, &request, sheet);
+        let ids = match &self.asked.models[..] {
+            [] if !is_curved => best_and_nearest(&scene.file, &request)?,
+            named => named.to_vec(),
+        };
+        let fill = |file: &_, sheet: &mut _| self.answer(file, (&ids, &request), sheet);
         let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
         if let Some(path) = &self.profile {
             self.write_profile(&scene, &request, path)?;
@@ -176,14 +178,17 @@ impl Curve {
         Plot::new(&["model"], x, &columns).from(from).svg(&sheet)
     }
 
-    fn answer(&self, file: &SceneFile, request: &Request, sheet: &mut Sheet) -> Result<()> {
+    fn answer(
+        &self,
+        file: &SceneFile,
+        (ids, request): (&[String], &Request),
+        sheet: &mut Sheet,
+    ) -> Result<()> {
         let reference = self.reference.as_deref();
         let reference = reference.map(|id| one_model(file, Some(id))).transpose()?;
-        let models =
-            models(file, &self.asked.models, SceneFile::models, &request.quantities, sheet)?;
+        let models = models(file, ids, SceneFile::models, &request.quantities, sheet)?;
         let beside = match reference {
             Some(reference) => Beside::Deviations(reference),
-            None if self.corrected => Beside::Intervals,
             None if self.errors => Beside::Errors,
             None => Beside::Nothing,
         };

@@ -6,7 +6,7 @@ use anyhow::Result;
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
 use asperity::{At, Described, Model, SeparationUnit, Tolerance};
-use asperity_answer::{Amplitude, Sheet, Slip, history, unloading, unloading_scan};
+use asperity_answer::{Amplitude, Sheet, Slip, history, of_joint, unloading, unloading_scan};
 use clap::Args;
 use clap::error::ErrorKind;
 
@@ -153,6 +153,8 @@ impl Joint {
             usage_error("joint", ErrorKind::TooManyValues, "slip follows one law; give one --law");
         }
         let places = self.place.all(&scene, &model);
+        let at = places.first().copied().unwrap_or(At::from(2.0));
+        let model = scene.answer(|sheet| of_joint(&scene.file, model, at, sheet))?.1;
         if self.stick_map.is_some() && (!is_scan || places.len() > 1) {
             let text = "--stick-map needs --model bem and one load";
             usage_error("joint", ErrorKind::ArgumentConflict, text);

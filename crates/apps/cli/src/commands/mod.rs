@@ -1,6 +1,7 @@
 //! The commands, one a file, in the order of the help: scenes, answers, joints, boundary elements,
 //! tables for solvers, help.
 
+mod answer;
 mod bem;
 mod check;
 mod curve;
@@ -12,7 +13,6 @@ mod joint;
 mod list;
 mod manual;
 mod pull_off;
-mod recommend;
 mod scales;
 mod surface;
 
@@ -26,8 +26,8 @@ pub enum Command {
     Generate(generate::Generate),
     Check(check::Check),
     List(list::List),
+    Answer(answer::Answer),
     Curve(curve::Curve),
-    Recommend(recommend::Recommend),
     Fit(fit::FitCommand),
     Joint(joint::Joint),
     Bem(bem::BemCommand),
@@ -43,8 +43,8 @@ impl Command {
             Self::Generate(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::List(command) => command.run(),
+            Self::Answer(command) => command.run(),
             Self::Curve(command) => command.run(),
-            Self::Recommend(command) => command.run(),
             Self::Fit(command) => command.run(),
             Self::Joint(command) => command.run(),
             Self::Bem(command) => command.run(),

@@ -26,8 +26,8 @@ pub struct ModelArgs {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
-    /// Models by id, as listed by `asperity list models` [default: all models of asperities that
-    /// the scene allows, or `all`]
+    /// Models by id, as listed by `asperity list models` [default: best and the valid
+    /// model nearest to it; `all` for all models of asperities that the scene allows]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
     pub models: Vec<String>,
     /// Separations: N values from A to B in equal steps (or equal ratios with :log), or a list; in

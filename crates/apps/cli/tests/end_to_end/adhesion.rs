@@ -23,16 +23,6 @@ fn soft() -> Bench {
 }
 
 #[test]
-fn models_with_adhesion_are_compared_for_scenes_with_adhesion() {
-    let bench = soft();
-    let run = bench.run("recommend soft.toml --load 0.01 --format csv");
-    let models = cells(&run.out, "model");
-    assert!(["gw", "dmt", "jkr"].iter().all(|id| models.iter().any(|m| m == id)), "{models:?}");
-    let plain = bench.data("recommend scene.toml --load 1 --quantity area --format csv");
-    assert!(!cells(&plain, "model").contains(&"jkr"), "{plain}");
-}
-
-#[test]
 fn the_pull_off_agrees_with_the_library_and_is_blank_without_tension() {
     let bench = soft();
     let run = bench.run("curve --pull-off soft.toml --model dmt,jkr --format csv");

@@ -12,7 +12,7 @@ fn models_whose_contacts_are_no_circles_are_left_out_and_bodies_conduct() {
     let bench = Bench::new();
     bench.write("scene.toml", &conducting());
     let run = bench.run(
-        "curve scene.toml --separation 1 --quantity contact-radius-sum,thermal-conductance,electrical-conductance",
+        "curve scene.toml --model all --separation 1 --quantity contact-radius-sum,thermal-conductance,electrical-conductance",
     );
     assert_eq!(run.code, Some(0), "{}", run.messages);
     assert_eq!(csv(&run.out).1.len(), 7, "gw to af");

@@ -5,9 +5,12 @@ use asperity::{At, ContactModel, Model, Quantity, Request};
 use crate::bench::{Bench, NEGATIVE, NO_SHEAR, cells, column, conducting, csv};
 
 #[test]
-fn the_default_is_every_model_at_401_separations() {
+fn the_default_is_best_and_the_nearest_model_at_401_separations() {
     let bench = Bench::new();
-    let data = bench.data("curve scene.toml");
+    let data = bench.data("curve scene.toml --quantity force,area");
+    let models: Vec<_> = cells(&data, "model").into_iter().step_by(401).collect();
+    assert_eq!(models, ["best", "jg"]);
+    let data = bench.data("curve scene.toml --model all");
     let (head, rows) = csv(&data);
     assert_eq!(
         head,
@@ -137,7 +140,7 @@ fn plots_have_a_curve_for_every_model_and_finite_numbers_only() {
     let bench = Bench::new();
     bench.write("scene.toml", NEGATIVE);
     bench.data(
-        "curve scene.toml --quantity force,plastic-share,ln-area --separation -2:9:50 --plot p.svg --output out.csv",
+        "curve scene.toml --model all --quantity force,plastic-share,ln-area --separation -2:9:50 --plot p.svg --output out.csv",
     );
     let svg = bench.read("p.svg");
     assert!(svg.starts_with("<svg ") && svg.ends_with("</svg>\n"));

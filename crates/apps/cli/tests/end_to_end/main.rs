@@ -2,13 +2,13 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests: a panic is the failure")]
 
 mod adhesion;
+mod answer;
 mod ball;
 mod bem;
 mod bem_boundary;
 mod bench;
 mod compare;
 mod conductance;
-mod corrected;
 mod curve;
 mod export;
 mod files;

@@ -1,108 +1,6 @@
-//! Messages of the commands, with plan, recommend and models.
+//! Messages of the commands, with plan and models.
 
-use crate::bench::{Bench, NO_SHEAR, cells, column, csv, is_long};
-
-#[test]
-fn an_elastic_scene_needs_no_more_than_greenwood_and_williamson() {
-    let bench = Bench::new();
-    bench.write("soft.toml", &NO_SHEAR.replace("_std = 1e-6", "_std = 1e-10"));
-    let run = bench.run("recommend soft.toml");
-    // The density is implausible beside these heights.
-    assert_eq!(run.code, Some(0));
-    assert!(run.results()[0].starts_with("gw "), "{}", run.messages);
-    assert!(run.messages.contains("[left-out]"));
-    let data = bench
-        .data("recommend scene.toml --format csv --reference gao --within 1e-3 --model gw,gao");
-    let (head, rows) = csv(&data);
-    assert_eq!(head[..5], ["model", "asperities", "force_deviation", "area_deviation", "simplest"]);
-    let gao = rows.iter().find(|row| row[0] == "gao").unwrap();
-    assert_eq!(gao[2..5], ["0", "0", "yes"]);
-    let gw: f64 = cells(&data, "force_deviation")[0].parse().unwrap();
-    assert!(gw > 1.0, "{gw}");
-}
-
-/// Of all kinds.
-const MODELS: &str = "--model gao,persson-plastic,gw-random,ke,zmc,jg,gw";
-
-#[test]
-fn the_order_of_the_recommendation_is_the_one_that_is_printed() {
-    let bench = Bench::new();
-    let cases = [("0.3", "--pressure 1e6"), ("0.05", ""), ("0.02", "--load 1:1000:7:log")];
-    for (within, arguments) in &cases[..if is_long() { 3 } else { 1 }] {
-        let arguments = format!(
-            "recommend scene.toml --within {within} --quantity area,tangent {MODELS} {arguments}"
-        );
-        let data = bench.data(&format!("{arguments} --format csv"));
-        let (_, rows) = csv(&data);
-        let kinds = ["upright", "random", "none", "at angles"];
-        let kind = |row: &Vec<&str>| kinds.iter().position(|kind| *kind == row[1]).unwrap();
-        assert!(rows.is_sorted_by_key(kind), "{data}");
-        // The simplest model is the first that is near enough and holds.
-        let most: f64 = within.parse().unwrap();
-        let near = |row: &&Vec<&str>| {
-            let within = |cell: &&str| cell.parse::<f64>().is_ok_and(|off| off <= most);
-            row[2..4].iter().all(within) && row[4] != "no: not valid here"
-        };
-        let first = rows.iter().find(near).unwrap();
-        let simplest: Vec<_> = rows.iter().filter(|row| row[4] == "yes").collect();
-        assert_eq!(simplest, [first], "{data}");
-    }
-    let some = bench.data("recommend scene.toml --model zmc,jg,ke --load 10 --format csv");
-    assert_eq!(cells(&some, "model"), ["jg", "zmc", "ke"]);
-}
-
-#[test]
-fn the_recommendation_reports_evidence_or_its_absence() {
-    let bench = Bench::new();
-    let arguments = "recommend scene.toml --model gw,ke,persson-fudge --quantity area --format csv";
-    let run = bench.run(&format!("{arguments} --load 20000"));
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    // One statement of the area, from the same ratio as the column.
-    let lines: Vec<&str> = run
-        .messages
-        .lines()
-        .filter(|line| line.contains("ke here") && line.contains("the area"))
-        .collect();
-    assert_eq!(lines.len(), 1, "{lines:?}");
-    // Only what was asked for; the columns of the table are always the same.
-    for other in ["first loading", "mean gap"] {
-        assert!(!run.messages.contains(other), "{}", run.messages);
-    }
-    let (head, rows) = csv(&run.out);
-    let columns =
-        ["area_off_bem", "area_off_bem_spread", "stiffness_off_bem", "stiffness_off_bem_spread"];
-    assert_eq!(head[head.len() - 4..], columns);
-    let off = column(&run.out, "area_off_bem");
-    assert!(off.iter().all(|off| off.abs() < 3.0) && rows.len() == 3, "{}", run.out);
-    let run = bench.run(&format!("{arguments} --load 1e-9"));
-    assert!(run.results().len() > 1 && run.code == Some(0), "{}", run.messages);
-    assert!(cells(&run.out, "area_off_bem").iter().all(|cell| cell.is_empty()), "{}", run.out);
-}
-
-#[test]
-fn each_load_has_its_own_evidence_and_invalid_models_are_not_recommended() {
-    let bench = Bench::new();
-    let run = bench
-        .run("recommend scene.toml --load 1e-9,19000,20000 --quantity area,tangent --format csv");
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert!(run.results().len() > 1, "{}", run.messages);
-    // Every model in a note has a row.
-    let ids = cells(&run.out, "model");
-    let pieces: Vec<&str> = run.messages.split(" (at most ").collect();
-    let named: Vec<&str> = pieces[..pieces.len() - 1]
-        .iter()
-        .filter_map(|text| text.split_whitespace().last())
-        .collect();
-    assert!(named.len() > 3 && named.iter().all(|id| ids.contains(id)), "{named:?}");
-    let off = cells(&run.out, "area_off_bem");
-    assert!(off.iter().filter(|cell| !cell.is_empty()).count() > 10, "{}", run.out);
-    // gw is near, and yet asperities yield.
-    let run =
-        bench.run("recommend scene.toml --load 1000 --within 80% --model gw,ceb --format csv");
-    assert!(run.messages.contains("[yields]"), "{}", run.messages);
-    assert!(!run.results().is_empty(), "{}", run.messages);
-    assert_eq!(cells(&run.out, "simplest"), ["no: not valid here", "yes"]);
-}
+use crate::bench::{Bench, NO_SHEAR, cells, column};
 
 /// The models on other asperities.
 const ON_OTHERS: &str = "gw-* ceb-* zmc-* ke-* etsion-* jg-* jg-cosine-* af-* ghaednia-*";
@@ -119,7 +17,7 @@ fn the_list_of_models_has_every_source() {
         ids.join(" "),
         format!(
             "{of_asperities} persson persson-fudge persson-plastic dmt jkr jkr-separation ghaednia \
-             cmy mikic {} bem",
+             cmy mikic {} best bem",
             ["random", "pairs"].map(|end| ON_OTHERS.replace('*', end)).join(" ")
         )
     );
@@ -135,27 +33,6 @@ fn the_list_of_models_has_every_source() {
         assert_eq!(row["variant"].as_str().unwrap().len() > 10, is_variant, "{row}");
     }
     assert!(bench.run("list models").results().len() > 3);
-}
-
-#[test]
-fn evidence_is_about_what_is_requested() {
-    let bench = Bench::new();
-    let run = bench.run("recommend scene.toml --model ke --pressure 1e9 --quantity area");
-    // The reference is also the recommended model.
-    assert!(run.messages.contains("[crowded]"), "{}", run.messages);
-    assert!(!run.messages.contains("2 rows"), "{}", run.messages);
-    let ask = "--model ke,jg --quantity unloading-stiffness --format csv";
-    let run = bench.run(&format!("recommend scene.toml --pressure 1e6 {ask}"));
-    let off = cells(&run.out, "unloading_stiffness_off_bem");
-    assert!(off.iter().all(|off| off.parse::<f64>().is_ok()), "{}", run.out);
-    assert!(run.results().len() > 1, "{}", run.messages);
-    let heavy = bench.run(&format!("recommend scene.toml --pressure 8e8 {ask}"));
-    assert!(heavy.results().len() > 1, "{}", heavy.messages);
-    // More digits than a choice of models needs take twice the time.
-    assert!(bench.data("recommend --help").contains("[default: 1e-4]"));
-    let area =
-        bench.data("recommend scene.toml --pressure 1e6 --quantity area --model ke --format csv");
-    assert!(!area.contains("unloading"), "{area}");
 }
 
 #[test]

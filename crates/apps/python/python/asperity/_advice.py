@@ -1,17 +1,18 @@
-"""The check of a scene, the plan of a request, and a comparison of models."""
+"""The check of a scene, the plan of a request, and what is known best."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from html import escape
 from typing import Any
 
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import LOADS, Rows, one_scene, place
+from asperity._arguments import Rows, floats, one_scene, place
 from asperity._asperity import Scene
-from asperity._model import Model, as_model, as_models
+from asperity._model import Model, as_model
 from asperity._table import Table
 
 @dataclass(frozen=True)
@@ -27,20 +28,92 @@ class Plan:
         return self.text
 
 
-class Recommendation(Table):
-    """Models compared with a reference and with boundary elements; ``print`` it.
+class Answer(Table):
+    """What is known best about a scene under loads; made by ``Scene.answer``.
 
-    For each model the largest relative deviation of each quantity from the reference
-    (``area_deviation``), whether it is the ``simplest`` valid one within the limit, and its expected
-    deviations from boundary elements on solved surfaces, with half the width of their intervals
-    (``area_off_bem``, ``area_off_bem_spread``). Results have the verdict and the evidence.
+    ``value``, ``lower`` and ``upper`` are numbers by quantity, arrays for several loads: ``area``
+    [m^2], stiffnesses [N/m], ``mean-gap`` [m]. Without evidence the ends are NaN.
     """
 
-    @property
-    def simplest(self) -> str | None:
-        """Id of the simplest valid model within the deviation; None if there is none."""
-        rows = zip(self["model"], self["simplest"], strict=True)
-        return next((model for model, word in rows if word.startswith("yes")), None)
+    value: dict[str, Any]
+    lower: dict[str, Any]
+    upper: dict[str, Any]
+    #: Models and solved surfaces behind the answer, and of what its intervals are.
+    by: str
+    #: The unknown of the surface that makes ranges wide, and the shares of all.
+    widest: str
+    #: Other models, each with its deviation from the answer.
+    also: str
+    #: The lines that the program prints: quantity, value, from, to, unit.
+    lines: list[list[str]]
+
+    def _ends(self, quantities: Sequence[str], end: str) -> dict[str, Any]:
+        columns = {**_asperity.quantities(), "mean-gap": "mean_gap_m"}
+        found = {}
+        for quantity in quantities:
+            head = columns[quantity]
+            name = quantity.replace("-", "_")
+            column = self.columns[f"{name}{end}{head.removeprefix(name)}"]
+            found[quantity] = float(column[0]) if len(column) == 1 else column
+        return found
+
+    def __str__(self) -> str:
+        widths = [max(map(len, column)) for column in zip(*self.lines, strict=True)]
+        rows = [zip(line, widths, strict=True) for line in self.lines]
+        texts = ["  ".join(f"{cell:<{width}}" for cell, width in row).rstrip() for row in rows]
+        behind = {"by": self.by, "widest": self.widest, "also": self.also}
+        texts += [f"{name:<8}{text}" for name, text in behind.items() if text]
+        return "\n".join([*texts, *map(str, self.findings)])
+
+    def _repr_html_(self) -> str:
+        head, *rows = [[escape(cell) for cell in line] for line in self.lines]
+        cells = ["".join(f"<td>{cell}</td>" for cell in row) for row in rows]
+        heads = "".join(f"<th>{cell}</th>" for cell in head)
+        body = "".join(f"<tr>{row}</tr>" for row in cells)
+        behind = "".join(f"<p>{escape(text)}</p>" for text in (self.by, self.widest, self.also) if text)
+        return f"<table><tr>{heads}</tr>{body}</table>{behind}"
+
+
+def answer(
+    scene: Scene,
+    quantities: str | Sequence[str] | None,
+    load: npt.ArrayLike | None,
+    pressure: npt.ArrayLike | None,
+    rtol: float,
+    solve: bool,
+    solved: Table | None,
+) -> Answer:
+    """What ``Scene.answer`` gives."""
+    axis, given = place(load=load, pressure=pressure)
+    numbers = floats(given, axis).ravel().tolist()
+    solving: Any = solve if solved is None else _solved(solved)
+    table, (behind, lines) = _asperity.best(scene, (axis, numbers), quantities, rtol, solving)
+    found = Answer(*table)
+    every = {**_asperity.quantities(), "mean-gap": "mean_gap_m"}
+    own = [name for name, head in every.items() if head in found.columns and name != "pressure"]
+    ends = {name: found._ends(own, end) for name, end in _ENDS.items()}
+    vars(found).update(ends, by=behind[0], widest=behind[1], also=behind[2], lines=lines)
+    return found
+
+
+_ENDS = {"value": "", "lower": "_lower", "upper": "_upper"}
+#: Columns of boundary elements by the numbers that are compared with them.
+_SOLVED = {
+    "area": "area_fraction",
+    "stiffness": "tangent_N_per_m",
+    "unloading_stiffness": "unloading_stiffness_N_per_m",
+    "mean_gap": "mean_gap_m",
+}
+
+
+def _solved(contacts: Table) -> tuple[list[tuple[float, dict[str, float]]], list[str]]:
+    """The rows of ``bem`` as an input of an answer, and the codes of what there is to say."""
+    known = {name: head for name, head in _SOLVED.items() if head in contacts.columns}
+    rows = [
+        (float(pressure), {name: float(contacts[head][k]) for name, head in known.items()})
+        for k, pressure in enumerate(contacts["pressure_Pa"])
+    ]
+    return rows, [finding.code for finding in contacts.findings]
 
 
 def plan(
@@ -70,45 +143,6 @@ def plan(
     rows = Rows(one_scene(scene, "plan"), *place(separation_unit, separation=separation, load=load, pressure=pressure))
     text, found = _asperity.plan((as_model(model), rows, quantities, rtol))
     return Plan(tuple(found["steps"]), text.rstrip("\n"))
-
-
-def recommend(
-    scene: Scene,
-    separation: npt.ArrayLike | None = None,
-    quantities: str | Sequence[str] | None = None,
-    reference: str | Model | None = None,
-    within: float = 0.05,
-    rtol: float = 1e-4,
-    separation_unit: str = "asperity_height_std",
-    *,
-    load: npt.ArrayLike | None = None,
-    pressure: npt.ArrayLike | None = None,
-    models: str | Model | Sequence[str | Model] | None = None,
-) -> Recommendation:
-    """Deviations of models from a reference, the simplest model within a relative deviation, and the
-    expected deviations from boundary elements, interpolated between solved surfaces.
-
-    By default area and, at separations, force are compared; at a load the force is the same. The
-    default reference is ke, or gw without a hardness; ``within`` is a share, 0.05 for 5 %;
-    ``models`` are those to compare, also of your own, by default all.
-
-    >>> import asperity
-    >>> interface = asperity.Interface(116e9, 0.31, hardness=7e9)
-    >>> numbers = {"plasticity_index": 0.3, "roughness_parameter": 0.04}
-    >>> smooth = asperity.Surface.of(**numbers, asperity_height_std=1e-7, interface=interface)
-    >>> scene = asperity.Scene(interface, smooth, nominal_area=1e-4)
-    >>> asperity.recommend(scene, [0, 1, 2, 3, 4]).simplest
-    'gw'
-    """
-    axis, numbers = place(
-        separation_unit, separation=separation, load=load, pressure=pressure
-    )
-    rows = Rows(one_scene(scene, "recommend"), axis, numbers)
-    if quantities is None:
-        quantities = ("area",) if axis in LOADS else ("force", "area")
-    against = as_model(reference or scene._usual_reference())
-    engines = None if models is None else as_models(models)
-    return Recommendation(*_asperity.recommend((against, rows, quantities, rtol), within, engines))
 
 
 def check(

@@ -18,8 +18,10 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Self, disjoint_base
 
+from asperity._advice import Answer
 from asperity._arguments import Scenes
 from asperity._records import Asperity, Body, Interface, Surface
+from asperity._table import Table
 
 __all__ = [
     "Contact",
@@ -34,6 +36,7 @@ __all__ = [
     "UnsupportedFormat",
     "answer",
     "bem",
+    "best",
     "check",
     "contact_table",
     "fit",
@@ -45,14 +48,12 @@ __all__ = [
     "quantities",
     "quantity",
     "random_surface",
-    "recommend",
     "separations",
     "shares",
     "template",
     "truth",
     "bem_slip",
     "bem_unloading",
-    "corrected",
     "checked",
     "derived",
     "interface_of",
@@ -120,6 +121,16 @@ class Scene:
     asperity: Final[Asperity]
     asperities: Final[float]
     plasticity_index: Final[float]
+    def answer(
+        self,
+        quantities: str | Sequence[str] | None = None,
+        *,
+        load: npt.ArrayLike | None = None,
+        pressure: npt.ArrayLike | None = None,
+        rtol: _Float = 1e-10,
+        solve: bool = False,
+        solved: Table | None = None,
+    ) -> Answer: ...
     def flow_factors(
         self,
         lambda_ratio: Sequence[float],
@@ -372,8 +383,13 @@ def separations(
 ) -> tuple[_Floats | list[_Floats], _Failures]: ...
 def shares(asked: _Asked) -> dict[str, _Floats]: ...
 def plan(asked: _Asked) -> tuple[str, _Fields]: ...
-def corrected(asked: _Asked) -> _Table: ...
-def recommend(asked: _Asked, within: _Float, engines: Sequence[Engine] | None) -> _Table: ...
+def best(
+    scene: Scene,
+    place: tuple[str, Sequence[_Float]],
+    quantities: str | Iterable[str] | None,
+    rtol: _Float,
+    solving: bool | tuple[list[tuple[float, dict[str, float]]], list[str]],
+) -> tuple[_Table, tuple[list[str], list[list[str]]]]: ...
 def bem(
     pressed: _Pressed,
     given: tuple[str, Sequence[_Float]],

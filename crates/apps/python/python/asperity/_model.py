@@ -26,7 +26,6 @@ from asperity._arguments import (
 from asperity._asperity import Contact, Engine, JointTable, Scene, Unloading
 from asperity._curve import Curve
 from asperity._records import Asperity
-from asperity._table import Table
 from asperity._warn import warn
 
 
@@ -237,28 +236,6 @@ class Model(Engine):
         for message in found:
             warn(message, 1)
         return Curve(self, name, rows, rtol, separation_unit, columns, failures)
-
-    def corrected(
-        self,
-        scene: Scene,
-        quantities: str | Sequence[str] = ("area",),
-        rtol: float = 1e-10,
-        *,
-        load: npt.ArrayLike | None = None,
-        pressure: npt.ArrayLike | None = None,
-    ) -> Table:
-        """Quantities under loads as they are, and in the rows of the model ``..-corrected`` divided by
-        the ratio to boundary elements that is expected from solved surfaces, with the ends of
-        intervals that hold nine of ten surfaces. Values without evidence are NaN, with a warning.
-
-        >>> import asperity
-        >>> scene = asperity.Scene.parse(asperity.template())
-        >>> found = asperity.model("ke").corrected(scene, "area", load=100.0).of("ke-corrected")
-        >>> bool(found["area_lower_m2"][0] < found["area_m2"][0] < found["area_upper_m2"][0])
-        True
-        """
-        rows = Rows(one_scene(scene, "corrected"), *place(load=load, pressure=pressure))
-        return Table(*_asperity.corrected((self, rows, quantities, rtol)))
 
     def separation_at(
         self,

@@ -1,18 +1,20 @@
-//! Checks of scenes and answers, plans of requests, and recommendations of models.
+//! Checks of scenes and answers, plans of requests, and what is known best.
+
+use std::collections::BTreeMap;
 
 use asperity::{
-    At, Check, Code, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request,
-    Scene, Severity,
+    At, Check, Code, Compared, ContactError, ContactModel, Finding, Findings, Model, Quantity,
+    Request, Scene, Severity, SolvedContact,
 };
-use asperity_answer::{Beside, Inquiry, Recommend, Sheet, check_sheet};
+use asperity_answer::{Answer, Cell, Sheet, check_sheet, lines, solve, unranked};
 use pyo3::prelude::*;
 
 use crate::ask::asked::{Arguments, Asked};
 use crate::ask::long::run_interruptible;
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
-use crate::convert::{Object, object, refused, tolerance, value_error};
-use crate::model::engine::{Engine, Engines, answered, models_among};
+use crate::convert::{Object, Quantities, object, refused, tolerance, value_error};
+use crate::model::engine::{Engine, without};
 use crate::scene::SceneFile;
 use crate::tables::{Table, table, warn_of};
 
@@ -143,37 +145,59 @@ pub(crate) fn plan<'py>(py: Python<'py>, asked: Arguments<'py>) -> PyResult<(Str
     Ok((plan.to_string(), object(py, &plan)?))
 }
 
-/// Deviations of the models of a scene, or of these, from the reference that is asked, and from
-/// boundary elements.
-#[pyfunction]
-pub(crate) fn recommend<'py>(
-    py: Python<'py>,
-    asked: Arguments<'_>,
-    within: f64,
-    engines: Engines,
-) -> PyResult<Table<'py>> {
-    let asked = Asked::new(asked)?;
-    let ((_, request), file) = (scene_and_request(&asked)?, &asked.rows.files[0]);
-    let (mut sheet, reference) = (Sheet::default(), asked.model.clone());
-    let among = models_among(file, &engines, &request.quantities, &mut sheet)?;
-    let (models, at_defaults) = (&[][..], false);
-    let question =
-        Recommend { models, reference: Some(reference.id()), within, request, at_defaults };
-    let found = py.detach(|| question.answer_of(file, among, reference.clone(), &mut sheet));
-    answered(found.map(drop), &engines, &sheet)?;
-    table(py, &sheet)
+/// What is solved for an answer: boundary elements at its loads, or solutions that were made, each
+/// with its mean pressure [Pa], its values by the names of quantities, and the codes of its notes.
+#[derive(FromPyObject)]
+pub(crate) enum Solving {
+    Now(bool),
+    Done(Vec<(f64, BTreeMap<String, f64>)>, Vec<String>),
 }
 
-/// Quantities of a model under loads and their corrected values, with the ends of their intervals.
+/// What stands behind an answer, and its lines as the program prints them.
+type Behind = ([String; 3], Vec<Vec<String>>);
+
+/// What is known best about a scene under loads.
 #[pyfunction]
-pub(crate) fn corrected<'py>(py: Python<'py>, asked: Arguments<'_>) -> PyResult<Table<'py>> {
-    let asked = Asked::new(asked)?;
-    let ((_, request), file) = (scene_and_request(&asked)?, &asked.rows.files[0]);
+pub(crate) fn best<'py>(
+    py: Python<'py>,
+    scene: &SceneFile,
+    place: (Axis, Vec<f64>),
+    quantities: Option<Quantities>,
+    rtol: f64,
+    solving: Solving,
+) -> PyResult<(Table<'py>, Behind)> {
+    let mut file = (*scene.0).clone();
+    let (axis, numbers) = place;
+    let at: Vec<At> =
+        numbers.into_iter().map(|one| axis.at(one, file.spec.separation_from)).collect();
+    file.solved = match solving {
+        Solving::Now(false) => vec![],
+        Solving::Now(true) => {
+            run_interruptible(py, |stop| solve(&file, &at, stop))?.map_err(value_error)?
+        }
+        Solving::Done(rows, codes) => {
+            let codes = codes.iter().filter_map(|name| Code::named(name).ok()).collect();
+            let uncertain = unranked(&[codes]).map(|[why, _]| why.to_string());
+            let named = |(name, value): (&String, &f64)| {
+                let of = Compared::ALL.into_iter().find(|of| of.name() == name)?;
+                Some((of, *value))
+            };
+            let contact = |(pressure, values): (f64, BTreeMap<String, f64>)| SolvedContact {
+                pressure,
+                values: values.iter().filter_map(named).collect(),
+                uncertain: uncertain.clone(),
+            };
+            rows.into_iter().map(contact).collect()
+        }
+    };
+    let asked = quantities.map_or_else(Vec::new, |names| names.0);
+    let asked = Answer::new(&file, &asked, at, tolerance(rtol)?);
     let mut sheet = Sheet::default();
-    let mut inquiry = Inquiry::new(file, vec![asked.model.clone()], request);
-    inquiry.beside = Beside::Intervals;
-    let found = run_interruptible(py, |stop| inquiry.answer(&mut sheet, stop))?;
-    found.map_err(value_error)?;
-    warn_of(py, file, &sheet)?;
-    table(py, &sheet)
+    let found = py.detach(|| asked.answer(&file, &mut sheet));
+    let basis = found.map_err(|error| without(&sheet, error))?;
+    warn_of(py, &file, &sheet)?;
+    let told = lines(&file, &sheet);
+    let texts = |row: &Vec<Cell>| row.iter().map(|cell| cell.text().to_string()).collect();
+    let told = [told.heads.clone()].into_iter().chain(told.rows.iter().map(texts)).collect();
+    Ok((table(py, &sheet)?, ([basis.by, basis.widest, basis.also], told)))
 }

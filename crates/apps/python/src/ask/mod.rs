@@ -1,4 +1,4 @@
-//! Values, separations and shares of rows, compiled contacts, plans and recommendations.
+//! Values, separations and shares of rows, compiled contacts, plans and what is known best.
 
 pub(crate) mod advice;
 pub(crate) mod answer;

@@ -1,4 +1,4 @@
-//! Values of rows, also corrected by solved surfaces, the separations of loads, and shares.
+//! Values of rows, the separations of loads, and shares.
 
 use asperity::{
     At, Case, Contact, ContactError, Evaluation, Findings, Separation, Share, Sweep, positive,

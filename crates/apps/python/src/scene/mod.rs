@@ -230,6 +230,32 @@ impl SceneFile {
         Ok(Self(Arc::new(self.0.taken_at(end).map_err(value_error)?.0)))
     }
 
+    /// What is known best about the scene under loads: by boundary elements on its scan, where that
+    /// was solved; else as they are expected from solved surfaces, with an interval that holds nine
+    /// of ten; else by the first valid model, without one. The model "best" gives the same numbers.
+    ///
+    /// ``solve=True`` solves the scan at the loads; ``solved`` takes what ``asperity.bem`` has
+    /// solved. By default the quantities are area, tangent, unloading-stiffness and, as the scene has
+    /// them, tangential-stiffness and thermal-conductance-per-area; the mean gap is always there.
+    ///
+    /// >>> import asperity
+    /// >>> answer = asperity.Scene.parse(asperity.template()).answer(load="100 N")
+    /// >>> answer.lower["area"] < answer.value["area"] < answer.upper["area"]
+    /// True
+    #[pyo3(signature = (quantities=None, *, load=None, pressure=None, rtol=1e-10, solve=false, solved=None))]
+    fn answer<'py>(
+        slf: &Bound<'py, Self>,
+        quantities: Option<Object<'py>>,
+        load: Option<Object<'py>>,
+        pressure: Option<Object<'py>>,
+        rtol: f64,
+        solve: bool,
+        solved: Option<Object<'py>>,
+    ) -> PyResult<Object<'py>> {
+        let answer = slf.py().import("asperity._advice")?.getattr("answer")?;
+        answer.call1((slf, quantities, load, pressure, rtol, solve, solved))
+    }
+
     /// One asperity of the surface with every input resolved.
     #[getter]
     fn asperity<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {

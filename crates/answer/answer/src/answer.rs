@@ -1,0 +1,263 @@
+//! What is known best about a scene at loads, in the lines that a reader needs.
+
+use asperity::{
+    At, Best, BestContact, Compared, ContactEngine, Datum, Described, Model, Other, Quantity,
+    Request, Separation, SeparationUnit, SolvedContact, Source, Tolerance,
+};
+use asperity_scene::SceneFile;
+
+use crate::inquiry::{Beside, ENDS, Inquiry, column_of_end};
+use crate::models::grouped;
+use crate::number::{fixed, prefixed};
+use crate::ranges::with_ranges;
+use crate::subject::Outcome;
+use crate::truth::{Truths, unranked};
+use crate::{Cell, Sheet, Silent, Watch};
+
+/// The mean gap, which every answer has.
+const GAP: &str = "mean_gap_m";
+/// Most models beside the answer that are named.
+const MOST_NAMED: usize = 3;
+
+/// What is asked at loads.
+#[derive(Debug, Clone)]
+pub struct Answer {
+    /// Quantities and loads.
+    pub request: Request,
+}
+
+/// What stands behind an answer.
+#[derive(Debug, Clone, Default)]
+#[non_exhaustive]
+pub struct Basis {
+    /// Models and solved surfaces, and of what the intervals are.
+    pub by: String,
+    /// The unknown of the surface that makes the answer wide, and the shares of all.
+    pub widest: String,
+    /// Other models, each with its deviation from the answer or why it is not valid.
+    pub also: String,
+}
+
+impl Answer {
+    /// These quantities, or those that everyone asks for, at loads.
+    #[must_use]
+    pub fn new(
+        file: &SceneFile,
+        quantities: &[Quantity],
+        at: impl IntoIterator<Item = At>,
+        tolerance: Tolerance,
+    ) -> Self {
+        let of_joint = [Quantity::TangentialStiffness, Quantity::ThermalConductancePerArea];
+        let has = |quantity: &Quantity| {
+            let interface = &file.scene.interface;
+            match quantity {
+                Quantity::TangentialStiffness => interface.equivalent_shear_modulus.is_some(),
+                _ => interface.thermal_conductivity.is_some(),
+            }
+        };
+        let usual = Compared::QUANTITIES.into_iter().chain(of_joint.into_iter().filter(has));
+        let quantities = match quantities {
+            [] => usual.collect(),
+            given => given.to_vec(),
+        };
+        Self { request: Request::new(quantities).at(at).within(tolerance) }
+    }
+
+    /// Fills a sheet with a row for each load: the quantities and the mean gap, each with the ends
+    /// of its interval where there is evidence or a range, in SI units.
+    ///
+    /// # Errors
+    /// The errors of the models, if none has a value.
+    pub fn answer(&self, file: &SceneFile, sheet: &mut Sheet) -> Outcome<Basis> {
+        let results = sheet.results.len();
+        with_ranges(file, sheet, |file, sheet| self.fill(file, sheet))?;
+        let middle = file.middle()?;
+        let best = middle.best().on(&middle.scene, self.request.tolerance)?;
+        let at = self.request.at.first().copied().unwrap_or(At::Load(0.0));
+        let widest = sheet.results.drain(results..).collect::<Vec<_>>().join("; ");
+        Ok(Basis { widest, ..basis(&best, &self.request.quantities, at) })
+    }
+
+    fn fill(&self, file: &SceneFile, sheet: &mut Sheet) -> Outcome {
+        let models = vec![file.model(Best::<Model>::ID)?];
+        Inquiry::new(file, models, self.request.clone()).answer(sheet, &Silent)?;
+        // The mean gap in place of the separation, whose plane is the scene's.
+        let heads = [GAP.into(), column_of_end(GAP, ENDS[0]), column_of_end(GAP, ENDS[1])];
+        let [sigma, metres] =
+            ["separation_over_sigma", "separation_m"].map(|name| sheet.column(name));
+        let ends = sheet.heads.len() - ENDS.len();
+        let mean_gap = |cell: &Cell| {
+            let from = Separation {
+                from: file.spec.separation_from,
+                ..Separation::metres(cell.number()?)
+            };
+            let unit = SeparationUnit::Metres;
+            Some(from.measured_in(unit, Datum::SurfaceMean, &file.scene).ok()?.value)
+        };
+        let [Some(sigma), Some(metres)] = [sigma, metres] else { return Ok(()) };
+        for row in &mut sheet.rows {
+            let gap = [metres, ends, ends + 1].map(|k| Cell::from(mean_gap(&row[k])));
+            row.truncate(ends);
+            row.extend(gap);
+            row.drain(sigma..=metres);
+        }
+        sheet.heads.truncate(ends);
+        sheet.heads.extend(heads);
+        sheet.heads.drain(sigma..=metres);
+        Ok(())
+    }
+
+    /// Every model beside the answer, each quantity with its deviation from that.
+    ///
+    /// # Errors
+    /// The errors of the models, if none has a value.
+    pub fn all(&self, file: &SceneFile, sheet: &mut Sheet, watch: &dyn Watch) -> Outcome {
+        let best = file.model(Best::<Model>::ID)?;
+        let models = [best.clone()].into_iter().chain(file.models_beside_bem().0).collect();
+        let inquiry = Inquiry::new(file, models, self.request.clone());
+        Inquiry { beside: Beside::Deviations(best), ..inquiry }.answer(sheet, watch)
+    }
+}
+
+/// What stands behind the answer at a place, in these quantities and the mean gap.
+#[must_use]
+pub fn basis(best: &BestContact<Model>, quantities: &[Quantity], at: At) -> Basis {
+    let asked = quantities.iter().filter_map(|one| Compared::behind(*one));
+    let mut compared: Vec<Compared> = asked.chain([Compared::MeanGap]).collect();
+    compared.sort_unstable();
+    compared.dedup();
+    let of = |of: &Compared| {
+        let known = best.known(*of, at).ok()?;
+        let (by, basis) = match known.source {
+            Source::Solved => ("boundary elements on this scan".into(), String::new()),
+            Source::Evidence => {
+                let solved = format!("solved surfaces like this one ({})", best.basis(at).ok()?);
+                (best.by(*of, at)?.id().into(), format!(", corrected by {solved}"))
+            }
+            Source::Model(id, outside) => {
+                let invalid = outside.map(|why| format!(" (not valid here: {})", why.code));
+                let why = best.why(*of, at).1;
+                (id + &invalid.unwrap_or_default(), format!(", without an interval: {why}"))
+            }
+        };
+        Some((basis, (by, of.label())))
+    };
+    let group = |(basis, members): (String, Vec<(String, &str)>)| {
+        let members = grouped(members).into_iter();
+        let members = members.map(|(id, labels)| format!("{id} for {}", labels.join(", ")));
+        format!("{}{basis}", members.collect::<Vec<_>>().join(", "))
+    };
+    let mut by: Vec<String> =
+        grouped(compared.iter().filter_map(of)).into_iter().map(group).collect();
+    let asked = quantities.iter().copied().map(Some).chain([None]);
+    let interval = asked.into_iter().find_map(|one| best.interval_at(one, at));
+    by.extend(interval.map(|interval| format!("between from and to: {}", interval.of)));
+    by.extend(best.not_used(at).map(|why| format!("the solution on this scan is not used: {why}")));
+    let (by, widest, also) = (by.join("; "), String::new(), also(best, at));
+    Basis { by, widest, also }
+}
+
+/// The nearest other models, and those that are not valid.
+fn also(best: &BestContact<Model>, at: At) -> String {
+    let of = Compared::Area;
+    let own = best.by(of, at).map(|model| model.id().to_string());
+    let others = best.others(at).into_iter();
+    let others = others.filter(|other| Some(other.model.id()) != own.as_deref());
+    let (valid, others): (Vec<Other<Model>>, Vec<_>) =
+        others.partition(|other| other.outside.is_none());
+    let off = |other: &Other<Model>| {
+        let (_, off) = other.off.iter().find(|(known, _)| *known == of)?;
+        let side = if *off < 0.0 { "low" } else { "high" };
+        Some((off.abs(), format!("{} {:.0} % {side}", other.model.id(), 100.0 * off.abs())))
+    };
+    let mut near: Vec<(f64, String)> = valid.iter().filter_map(off).collect();
+    near.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let near: Vec<String> = near.into_iter().take(MOST_NAMED).map(|(_, text)| text).collect();
+    let mut text = vec![];
+    if !near.is_empty() {
+        text.push(format!("{} in {}", near.join(", "), of.label()));
+    }
+    let why = |other: Other<Model>| Some((other.outside?.code, other.model.id().to_string()));
+    for (code, ids) in grouped(others.into_iter().filter_map(why)) {
+        text.push(format!("not valid here: {} ({code})", ids.join(", ")));
+    }
+    text.join("; ")
+}
+
+/// The solutions of boundary elements on the scan of a scene at these loads, as an input of answers.
+///
+/// # Errors
+/// Those of boundary elements.
+pub fn solve(file: &SceneFile, at: &[At], watch: &dyn Watch) -> Outcome<Vec<SolvedContact>> {
+    let pressures: Vec<f64> = at.iter().filter_map(|at| at.pressure(&file.scene)).collect();
+    let bem = file.bem()?;
+    let truths = Truths::solve(file, &bem, &[], &pressures, &Compared::ALL, false, watch)?;
+    if let Some((_, error)) = truths.failed.into_iter().next() {
+        return Err(error.into());
+    }
+    let solved = truths.found.into_iter().map(|truth| {
+        let codes = truth.notes.iter().map(|note| note.code).collect();
+        let uncertain = unranked(&[codes]).map(|[why, _]| why.into());
+        SolvedContact { pressure: truth.pressure, values: truth.bem, uncertain }
+    });
+    Ok(solved.collect())
+}
+
+/// The label of a column of an answer and its unit: the real area is a share of the nominal one.
+fn labelled(head: &str) -> Option<(&'static str, &'static str)> {
+    if head == GAP {
+        return Some((Compared::MeanGap.label(), "m"));
+    }
+    let quantity = Quantity::ALL.into_iter().find(|quantity| quantity.column() == head)?;
+    Some(match quantity {
+        Quantity::Pressure => return None,
+        Quantity::Area | Quantity::AreaFraction => ("real area, share of the nominal", "%"),
+        Quantity::Tangent => (Compared::Stiffness.label(), "N/m"),
+        Quantity::UnloadingStiffness => (Compared::UnloadingStiffness.label(), "N/m"),
+        other => (other.label(), other.unit()),
+    })
+}
+
+/// The rows of an answer as lines: a quantity with its value, the ends of its interval and a unit
+/// that suits it; of several loads each with its load.
+#[must_use]
+pub fn lines(file: &SceneFile, sheet: &Sheet) -> Sheet {
+    let several = sheet.rows.len() > 1;
+    let load: &[&str] = if several { &["load"] } else { &[] };
+    let mut lines = Sheet::default();
+    lines.under(&[load, &["quantity", "value", "from", "to", "unit"]]);
+    for row in &sheet.rows {
+        let number = |head: &str| row[sheet.column(head)?].number();
+        for head in &sheet.heads {
+            let Some((label, unit)) = labelled(head) else { continue };
+            let of_nominal = if head == "area_m2" { file.scene.nominal_area } else { 1.0 };
+            let ends = ENDS.map(|end| number(&column_of_end(head, end)));
+            let (factor, unit) = match (unit, number(head)) {
+                ("%", _) => (0.01 * of_nominal, unit.into()),
+                (unit, value) => prefixed(value.unwrap_or(0.0), unit),
+            };
+            let value = number(head).map(|value| value / factor);
+            let shown = |x: Option<f64>| x.map_or("–".into(), |x| fixed(x, value.unwrap_or(x)));
+            let ends = ends.map(|end| shown(end.map(|end| end / factor)));
+            let load = number("load_N").map_or(String::new(), |load| in_words(load, "N"));
+            let load = load.as_str();
+            let texts = [label, &shown(value), &ends[0], &ends[1], &unit];
+            let all = [load].into_iter().filter(|_| several).chain(texts);
+            lines.rows.push(all.map(Cell::from).collect());
+        }
+    }
+    lines
+}
+
+/// The load of an answer and its pressure: `at 20 kN, 50 MPa`.
+#[must_use]
+pub fn title(file: &SceneFile, at: At) -> String {
+    let [load, pressure] = [(at.load(&file.scene), "N"), (at.pressure(&file.scene), "Pa")]
+        .map(|(value, unit)| in_words(value.unwrap_or(0.0), unit));
+    format!("at {load}, {pressure}")
+}
+
+fn in_words(value: f64, unit: &str) -> String {
+    let (factor, unit) = prefixed(value, unit);
+    format!("{} {unit}", crate::rounded(value / factor))
+}

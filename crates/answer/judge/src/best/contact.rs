@@ -1,0 +1,385 @@
+//! What is known best on one scene.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use super::candidates::{Candidate, Place, SharedPlace};
+use super::load::{FOUND, Gaps};
+use super::{Answering, Best, SolvedContact};
+use crate::evidence::Counted;
+use crate::{Compared, Estimate, Evidence, ExpectedContact};
+use asperity_core::{
+    At, Code, ContactEngine, ContactError, Datum, Evaluation, Finding, Interval, Quantity, Request,
+    Scene, Separation, SeparationUnit, short,
+};
+
+/// Bound on the relative rounding of an expected value: the covariance of the solved cases has a
+/// condition number of some 1e7.
+const ROUNDED: f64 = 1e-9;
+/// Places kept.
+const MOST_KEPT: usize = 4096;
+/// Relative difference of equal pressures.
+const SAME: f64 = 1e-12;
+
+/// What is known best on one scene.
+#[derive(Debug)]
+pub struct BestContact<M> {
+    pub(super) best: Best<M>,
+    pub(super) scene: Scene,
+    pub(super) request: Request,
+    counted: Counted,
+    pub(super) candidates: OnceLock<Vec<Candidate<M>>>,
+    pub(super) gaps: Gaps,
+    places: Mutex<BTreeMap<(bool, u64), SharedPlace>>,
+}
+
+/// A compared number of an answer: area over nominal area, stiffness \[N/m\], mean gap \[m\].
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Known {
+    /// The number.
+    pub value: f64,
+    /// The ends of an interval that holds nine of ten surfaces, with evidence.
+    pub ends: Option<[f64; 2]>,
+    /// Where it is from.
+    pub source: Source,
+    /// A bound on its relative numerical error.
+    error: f64,
+}
+
+/// Where a number is from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Source {
+    /// Boundary elements on this scan at this load.
+    Solved,
+    /// Boundary elements on solved surfaces like this one.
+    Evidence,
+    /// The model of this id, and why it is not valid here, if it is not.
+    Model(String, Option<Box<Finding>>),
+}
+
+impl<M: Answering> BestContact<M> {
+    pub(super) fn new(
+        best: Best<M>,
+        scene: &Scene,
+        request: &Request,
+    ) -> Result<Self, ContactError> {
+        let (places, candidates, gaps) = Default::default();
+        let (scene, request) = (scene.clone(), request.clone());
+        scene.asperity()?;
+        let counted = Counted::on::<M>(&scene)?;
+        let made = Self { best, scene, request, counted, candidates, gaps, places };
+        // A quantity that it lacks, or whose property the scene lacks.
+        for quantity in &made.request.quantities {
+            match Compared::behind(*quantity) {
+                Some(_) => made.of(*quantity, 1.0, 1.0, 0.0).map(drop)?,
+                None if *quantity == Quantity::Contacts || quantity.follows_from_totals() => {}
+                None => return Err(made.lacks(*quantity)),
+            }
+        }
+        Ok(made)
+    }
+
+    fn lacks(&self, quantity: Quantity) -> ContactError {
+        self.unsupported(&match quantity {
+            Quantity::Stiffness => "stiffness, which is what the paper of each model defines; use tangent (first loading) or unloading-stiffness (small vibrations)".into(),
+            other => format!("{other}, which has no counterpart in boundary elements; name a model"),
+        })
+    }
+
+    pub(super) fn refused(&self, reason: String) -> ContactError {
+        ContactError::Refused { model: Best::<M>::ID.into(), reason }
+    }
+
+    /// What is known of a place, kept for the next quantity.
+    pub(super) fn place(&self, at: At) -> SharedPlace {
+        let given = at.pressure(&self.scene);
+        let key = match at {
+            At::Separation(s) => {
+                let gap = s.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, &self.scene);
+                (true, gap.map_or(f64::NAN, |gap| gap.value).to_bits())
+            }
+            _ => (false, given.unwrap_or(f64::NAN).to_bits()),
+        };
+        let kept = || self.places.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = kept().get(&key) {
+            return known.clone();
+        }
+        let pressure = match at {
+            At::Separation(separation) => self.pressure_at(separation),
+            _ => given,
+        };
+        let expected = pressure.map_or_else(
+            || Err(self.no_evidence("separation", "no solved surface has this mean gap")),
+            |pressure| self.expected(pressure),
+        );
+        let place = Arc::new(Place { pressure, expected, judged: Default::default() });
+        let mut all = kept();
+        if all.len() >= MOST_KEPT {
+            all.clear();
+        }
+        all.insert(key, place.clone());
+        place
+    }
+
+    fn no_evidence(&self, property: &'static str, reason: &str) -> ContactError {
+        ContactError::NoEvidence { property, reason: reason.into() }
+    }
+
+    fn expected(&self, pressure: f64) -> Result<ExpectedContact, ContactError> {
+        self.expected_of(&Compared::ALL, pressure)
+    }
+
+    pub(super) fn expected_of(
+        &self,
+        quantities: &[Compared],
+        pressure: f64,
+    ) -> Result<ExpectedContact, ContactError> {
+        if let Some(unlike) = &self.best.unlike {
+            return Err(unlike.clone());
+        }
+        let contacts = self.counted.at(pressure);
+        let (evidence, shape) = (Evidence::committed()?, self.best.shape);
+        evidence.expected_of(quantities, &self.scene, shape, pressure, contacts)
+    }
+
+    /// What boundary elements gave at this pressure, if it was solved.
+    fn solved(&self, pressure: f64) -> Option<&SolvedContact> {
+        let same = |one: &&SolvedContact| (one.pressure / pressure - 1.0).abs() < SAME;
+        self.best.solved.iter().find(same)
+    }
+
+    /// Why what was solved at this place is not the answer, if it is not.
+    #[must_use]
+    pub fn not_used(&self, at: At) -> Option<&str> {
+        let place = self.place(at);
+        let uncertain = self.solved(place.pressure?)?.uncertain.as_deref()?;
+        place.expected.is_ok().then_some(uncertain)
+    }
+
+    /// Whether what was solved on the scan is the answer at this place.
+    #[must_use]
+    pub fn is_solved(&self, at: At) -> bool {
+        let known = self.known(Compared::Area, at);
+        known.is_ok_and(|known| known.source == Source::Solved)
+    }
+
+    /// What boundary elements are expected to give; under loads lighter than all solved ones, ratios
+    /// to the nearest valid model are kept.
+    pub(super) fn expected_value(&self, of: Compared, pressure: f64) -> Option<Known> {
+        let place = self.place(At::Pressure(pressure));
+        let expected = place.expected.as_ref().ok()?;
+        let Estimate { mut value, mut low, mut high } = expected.estimate(of)?;
+        if expected.extrapolated {
+            let (nearest, light) = self.nearest(of, expected)?;
+            let own = nearest.value(of, At::Pressure(pressure)).ok()?;
+            let kept = |x: f64| match of {
+                Compared::MeanGap => x + (own - light),
+                _ => x * (own / light),
+            };
+            // A contact carries the load at the hardness, and unloads at least as stiff.
+            let least = match of {
+                Compared::Area => self.least_area(pressure),
+                Compared::UnloadingStiffness => {
+                    let loading = self.expected_value(Compared::Stiffness, pressure);
+                    loading.map_or(0.0, |loading| loading.value)
+                }
+                _ => f64::NEG_INFINITY,
+            };
+            [value, low, high] = [value, low, high].map(|x| kept(x).max(least));
+        }
+        Some(Known { value, ends: Some([low, high]), source: Source::Evidence, error: ROUNDED })
+    }
+
+    /// The least share of the nominal area that carries a pressure.
+    fn least_area(&self, pressure: f64) -> f64 {
+        let hardness = self.scene.asperity().ok().and_then(|asperity| asperity.hardness);
+        hardness.map_or(0.0, |hardness| pressure / hardness)
+    }
+
+    /// A compared number from the best source: boundary elements on this scan, on solved surfaces,
+    /// or a model.
+    ///
+    /// # Errors
+    /// Those of the models, if none has a value.
+    pub fn known(&self, of: Compared, at: At) -> Result<Known, ContactError> {
+        let place = self.place(at);
+        if let Some(pressure) = place.pressure {
+            let solved = self.solved(pressure);
+            let solved = solved.filter(|one| one.uncertain.is_none() || place.expected.is_err());
+            if let Some(&value) = solved.and_then(|solved| solved.values.get(&of)) {
+                return Ok(Known { value, ends: None, source: Source::Solved, error: ROUNDED });
+            }
+            if let Some(known) = self.expected_value(of, pressure) {
+                return Ok(known);
+            }
+        }
+        let (one, value, outside) = self.first(of, at)?;
+        let source = Source::Model(one.model.id().into(), outside.map(Box::new));
+        Ok(Known { value, ends: None, source, error: self.request.tolerance.relative() })
+    }
+
+    /// A quantity from the compared number behind it, under a load \[N\].
+    fn of(
+        &self,
+        quantity: Quantity,
+        load: f64,
+        compared: f64,
+        error: f64,
+    ) -> Result<Evaluation, ContactError> {
+        let area = self.scene.nominal_area;
+        let radii = || {
+            let sum = compared / (2.0 * self.scene.asperity()?.equivalent_modulus);
+            match quantity {
+                Quantity::ContactRadiusSum => Ok(Some(Evaluation::new(sum, error))),
+                _ => Evaluation::of_contact_radii(quantity, sum, &self.scene, error),
+            }
+        };
+        let found = match quantity {
+            Quantity::Tangent | Quantity::UnloadingStiffness => {
+                Some(Evaluation::new(compared, error))
+            }
+            _ => match Evaluation::of_totals(quantity, (load, compared * area), area, error) {
+                Some(found) => Some(found),
+                None => radii()?,
+            },
+        };
+        found.ok_or_else(|| self.lacks(quantity))
+    }
+
+    /// The load \[N\] at a place.
+    fn load(&self, at: At) -> Result<Evaluation, ContactError> {
+        if let Some(load) = at.load(&self.scene) {
+            return Ok(Evaluation::new(load, 0.0));
+        }
+        if let Some(pressure) = self.place(at).pressure {
+            return Ok(Evaluation::new(pressure * self.scene.nominal_area, FOUND.max(ROUNDED)));
+        }
+        let valid = self.first(Compared::Area, at)?;
+        valid.0.force(at)
+    }
+
+    /// What stands behind the answer: `alpha 8, psi 2; boundary elements on 16 surfaces`.
+    ///
+    /// # Errors
+    /// Why no solved surface is like this one.
+    pub fn basis(&self, at: At) -> Result<String, ContactError> {
+        self.place(at).expected.as_ref().map(ExpectedContact::basis).map_err(Clone::clone)
+    }
+
+    /// The property and the reason why solved surfaces do not give a compared number here.
+    #[must_use]
+    pub fn why(&self, of: Compared, at: At) -> (&'static str, String) {
+        match &self.place(at).expected {
+            Err(ContactError::NoEvidence { property, reason }) => (property, reason.clone()),
+            Err(error) => ("", error.to_string()),
+            Ok(expected) => (of.name(), expected.undetermined(of)),
+        }
+    }
+
+    /// Of what an interval is.
+    fn of_what(&self, pressure: f64) -> String {
+        let area = short(1e4 * self.scene.nominal_area);
+        let some = self.counted.at(pressure).map_or_else(String::new, |contacts| {
+            let rounded: f64 = format!("{contacts:.0e}").parse().unwrap_or(contacts);
+            format!(" with some {} contacts", short(rounded))
+        });
+        format!("nine of ten surfaces of this spectrum, {area} cm2{some}")
+    }
+}
+
+impl<M: Answering> ContactEngine for BestContact<M> {
+    fn model(&self) -> &str {
+        Best::<M>::ID
+    }
+
+    fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    fn quantities(&self) -> &[Quantity] {
+        &self.request.quantities
+    }
+
+    fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
+        match Compared::behind(quantity) {
+            Some(of) => {
+                let (load, known) = (self.load(at)?, self.known(of, at)?);
+                self.of(quantity, load.value(), known.value, known.error.max(load.error))
+            }
+            None if quantity == Quantity::Contacts => {
+                let counted =
+                    self.place(at).pressure.and_then(|pressure| self.counted.at(pressure));
+                let counted =
+                    counted.ok_or_else(|| self.refused("no model counts contacts here".into()))?;
+                Ok(Evaluation::new(counted, self.request.tolerance.relative()))
+            }
+            None => {
+                let load = self.load(at)?;
+                let of = Evaluation::of_totals(
+                    quantity,
+                    (load.value(), f64::NAN),
+                    self.scene.nominal_area,
+                    load.error,
+                );
+                of.ok_or_else(|| self.lacks(quantity))
+            }
+        }
+    }
+
+    fn interval_at(&self, quantity: Option<Quantity>, at: At) -> Option<Interval> {
+        let of = match quantity {
+            Some(quantity) => Compared::behind(quantity)?,
+            None => Compared::MeanGap,
+        };
+        let pressure = self.place(at).pressure?;
+        let ends = self.known(of, at).ok()?.ends?;
+        let load = pressure * self.scene.nominal_area;
+        let end = |compared: f64| match quantity {
+            Some(quantity) => Some(self.of(quantity, load, compared, 0.0).ok()?.value()),
+            None => Some(compared),
+        };
+        let [one, other] = [end(ends[0])?, end(ends[1])?];
+        let of = self.of_what(pressure);
+        Some(Interval { lower: one.min(other), upper: one.max(other), of })
+    }
+
+    fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
+        let gap = self.known(Compared::MeanGap, At::Load(load))?.value;
+        let (unit, from) = (SeparationUnit::Sigma, Datum::AsperityMean);
+        let gap = Separation::metres(gap).from_surface_mean();
+        Ok(vec![gap.measured_in(unit, from, &self.scene)?])
+    }
+
+    fn notes(&self, at: &[At]) -> Vec<Finding> {
+        let mut found: Vec<Finding> = vec![];
+        let mut add = |new: Finding| {
+            let known = |one: &Finding| one.code == new.code && one.field == new.field;
+            if !found.iter().any(known) {
+                found.push(new);
+            }
+        };
+        let note = |code, field| Finding::note(code, field, f64::NAN).of_model(Best::<M>::ID);
+        let behind = self.request.quantities.iter().filter_map(|q| Compared::behind(*q));
+        for &at in at {
+            let place = self.place(at);
+            if place.expected.as_ref().is_ok_and(|expected| expected.extrapolated) {
+                let fact = "the load is below the lightest solved one, whose ratios to the nearest model are kept";
+                add(note(Code::Extrapolated, "load").fact(fact));
+            }
+            for of in behind.clone() {
+                let Ok(Known { source: Source::Model(id, outside), .. }) = self.known(of, at)
+                else {
+                    continue;
+                };
+                let (field, reason) = self.why(of, at);
+                let fact = format!("{} by {id}, without an interval: {reason}", of.label());
+                add(note(Code::NoEvidence, field).fact(fact));
+                if let Some(outside) = outside {
+                    add(*outside);
+                }
+            }
+        }
+        found
+    }
+}
