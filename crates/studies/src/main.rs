@@ -2,6 +2,7 @@
 //! elements. `cargo xtask report` and `cargo xtask truth` start them; `cargo xtask figures` draws
 //! what they write.
 
+mod curved;
 mod report;
 mod truth;
 
@@ -29,6 +30,8 @@ enum Study {
     /// Solve, in ten minutes, and fit what stands beside measurements and simulations of others:
     /// xtask/data/world
     World,
+    /// Solve, in a minute, curved bodies with rough surfaces: xtask/data/curved.csv
+    Curved,
     /// Solve, in twenty minutes, single scans of few long waves that the intervals have to hold:
     /// crates/studies/data/scans.csv
     Scans,
@@ -40,6 +43,7 @@ fn main() -> Result<()> {
         Study::Truth { kept, anew } => truth::write(!kept, anew)?,
         Study::Small => truth::write_small()?,
         Study::World => truth::world::write()?,
+        Study::Curved => curved::write()?,
         Study::Scans => truth::scans::write()?,
     };
     written.iter().for_each(|path| println!("{}", path.display()));
