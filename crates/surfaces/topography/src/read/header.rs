@@ -45,6 +45,17 @@ impl Entry {
         Self { meanings: meanings("header", name), line: 0, text, numbers, unit, words }
     }
 
+    /// Points with a unit of length are a length: `Xsize 7 um`.
+    fn of_its_unit(mut self) -> Self {
+        let is_length = self.unit.as_ref().is_some_and(|unit| unit.parse::<LengthUnit>().is_ok());
+        self.meanings = match self.meanings {
+            ["points x", ..] if is_length => &["width"],
+            ["points y", ..] if is_length => &["height"],
+            meanings => meanings,
+        };
+        self
+    }
+
     fn known(&self) -> bool {
         !self.meanings.is_empty()
     }
@@ -64,6 +75,11 @@ impl Entry {
     /// The unit of length that a text states.
     fn length_unit(&self, text: &str) -> Result<LengthUnit, TopographyError> {
         text.parse().map_err(|_| self.wrong("a unit of length"))
+    }
+
+    /// The unit of its length, or else this one.
+    fn unit_or(&self, lateral: Option<LengthUnit>) -> Result<Option<LengthUnit>, TopographyError> {
+        self.unit.as_ref().map_or(Ok(lateral), |unit| self.length_unit(unit).map(Some))
     }
 
     /// Whether the numbers count points, by their unit; `none` if they have none.
@@ -117,7 +133,7 @@ impl Header {
     pub(super) fn read(lines: &[(usize, String)], delimiter: Delimiter) -> Self {
         let mut header = Self::default();
         for (line, text) in lines {
-            let found = entry(text, delimiter);
+            let found = entry(text, delimiter).map(Entry::of_its_unit);
             let name = |key: &'static str| key.split(['=', '@']).next();
             let meaning = found.iter().flat_map(|entry| entry.meanings).copied().find_map(name);
             for (key, entry) in
@@ -197,7 +213,7 @@ impl Header {
     /// The number of columns and of rows.
     pub(super) fn points(&self) -> Result<[Option<usize>; 2], TopographyError> {
         let count = |axis: usize| {
-            let own = self.find([["points x", "lines x"], ["points y", "points y"]][axis]);
+            let own = self.find([["points x"], ["points y"]][axis]);
             let own = own.filter(|entry| entry.counts(true) && !entry.numbers.is_empty());
             let size =
                 || self.find([["width"], ["height"]][axis]).filter(|entry| entry.counts(false));
@@ -245,6 +261,48 @@ impl Header {
         Ok(x.zip(y).map(|(x, y)| [x, y]))
     }
 
+    /// The stated distance of points along an axis, with its entry.
+    fn step(
+        &self,
+        axis: usize,
+        lateral: Option<LengthUnit>,
+    ) -> Result<Option<(&Entry, Distance)>, TopographyError> {
+        let step = self.find([["step x", "step"], ["step y", "step"]][axis]);
+        let step = step.filter(|entry| entry.unit.is_some() || lateral.is_some());
+        let Some(entry) = step.or_else(|| self.find(["pixel"])) else { return Ok(None) };
+        let aspect = self.find(["aspect"]).filter(|_| axis == 0);
+        let aspect = aspect.map_or(Ok(1.0), |entry| entry.positive(9, "a ratio"))?;
+        let value = aspect * entry.positive(axis, "a length above 0")?;
+        Ok(Some((entry, Distance { value, unit: entry.unit_or(lateral)? })))
+    }
+
+    /// Refuses a stated distance of points that is not that of a side \[m\] of `n` points, which
+    /// may be measured from the first to the last.
+    fn check_step(
+        &self,
+        axis: usize,
+        side: &Entry,
+        (whole, n): (f64, usize),
+        lateral: Option<LengthUnit>,
+    ) -> Result<(), TopographyError> {
+        let Ok(Some((entry, Distance { value, unit: Some(unit) }))) = self.step(axis, lateral)
+        else {
+            return Ok(());
+        };
+        let over = whole / (value * unit.metres());
+        let slack = 1e-2 * n as f64;
+        if (n.saturating_sub(1) as f64 - slack..=n as f64 + slack).contains(&over) {
+            return Ok(());
+        }
+        let found = format!(
+            "{:?} in line {} and {:?} in line {}",
+            side.text, side.line, entry.text, entry.line
+        );
+        let required =
+            format!("a side of {n} times the distance of points; skip_lines leaves lines out");
+        Err(refuse("header", found, required))
+    }
+
     fn side(
         &self,
         axis: usize,
@@ -253,30 +311,25 @@ impl Header {
         options: &ReadOptions,
     ) -> Result<Option<Distance>, TopographyError> {
         let lateral = self.lateral(axis, options)?;
-        let unit = |entry: &Entry| match &entry.unit {
-            Some(unit) => entry.length_unit(unit).map(Some),
-            None => Ok(lateral),
-        };
         // One number is the size of a square.
         let both = || self.find(["size"]).filter(|entry| square || entry.numbers.len() == 2);
         let size = self.find([["width"], ["height"]][axis]).or_else(both);
         if let Some(entry) = size.filter(|entry| !entry.counts(false)) {
             let length = entry.positive(axis, "a length, for example 10 um,")?;
-            match unit(entry)? {
-                Some(unit) => return Ok(Some(Distance::metre(length * unit.metres() / n as f64))),
+            match entry.unit_or(lateral)? {
+                Some(unit) => {
+                    let whole = length * unit.metres();
+                    self.check_step(axis, entry, (whole, n), lateral)?;
+                    return Ok(Some(Distance::metre(whole / n as f64)));
+                }
                 // The number of points.
                 None if length.total_cmp(&(n as f64)).is_eq() => {}
                 None if options.pixel_size.is_some() => {}
                 None => return Err(no_unit(format!("line {}", entry.line), &entry.text)),
             }
         }
-        let step = self.find([["step x", "step"], ["step y", "step"]][axis]);
-        let step = step.filter(|entry| entry.unit.is_some() || lateral.is_some());
-        if let Some(entry) = step.or_else(|| self.find(["pixel"])) {
-            let aspect = self.find(["aspect"]).filter(|_| axis == 0);
-            let aspect = aspect.map_or(Ok(1.0), |entry| entry.positive(9, "a ratio"))?;
-            let value = aspect * entry.positive(axis, "a length above 0")?;
-            return Ok(Some(Distance { value, unit: unit(entry)? }));
+        if let Some((_, step)) = self.step(axis, lateral)? {
+            return Ok(Some(step));
         }
         let Some(entry) = self.find([["range x"], ["range y"]][axis]) else { return Ok(None) };
         let [first, last] = entry.numbers[..] else { return Err(entry.wrong("two positions")) };

@@ -341,7 +341,7 @@ fn matrix(
     let mut counts = if profile { [n, 1] } else { [columns, n / columns] };
     points(counts[0] as u64, counts[1] as u64)?;
     let mut heights = values;
-    if header.has("lines x") {
+    if header.has("turned") {
         heights = transposed(&heights, columns);
         counts.reverse();
     }

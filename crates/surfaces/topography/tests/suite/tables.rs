@@ -70,6 +70,20 @@ fn a_second_table_is_a_second_image() {
 }
 
 #[test]
+fn lengths_of_a_header_agree_or_are_refused() {
+    let sides = |keys: &str| format!("{keys}unit: nm\n{}", plain());
+    let both = |pixel: &str| gwyddion(ENGLISH, "nm") + "# Pixel size: " + pixel + "\n" + &plain();
+    cases([
+        (sides("Xsize: 6 um\nYsize: 4.5 um\n"), "", ""),
+        (sides("X Size 6 um\nY Size 4.5 um\n"), "", ""),
+        (sides("xsize 24\nysize 18\nx length 6 um\ny length 4.5 um\n"), "", ""),
+        (both("0.25 um"), "", ""),
+        (both("0.0005 mm"), "", "line 2"),
+        (both("1 um"), "", "24 times the distance of points"),
+    ]);
+}
+
+#[test]
 fn columns_that_are_no_heights_are_refused() {
     let two = |names: &str, style: Style| {
         format!(
