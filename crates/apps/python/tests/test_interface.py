@@ -16,7 +16,7 @@ import asperity
 import numpy as np
 import pytest
 
-EXAMPLES = Path(__file__).resolve().parents[3] / "answer" / "inputs" / "examples"
+EXAMPLES = Path(__file__).resolve().parents[3] / "answer" / "scene" / "examples"
 
 
 def refusal(call: Any, *arguments: Any, **named: Any) -> str:

@@ -8,7 +8,7 @@ import asperity
 import numpy as np
 import pytest
 
-EXAMPLES = Path(__file__).resolve().parents[3] / "answer" / "inputs" / "examples"
+EXAMPLES = Path(__file__).resolve().parents[3] / "answer" / "scene" / "examples"
 PRESSURES = [1e7, 1e8, 1e9]
 
 
