@@ -58,3 +58,16 @@ def test_a_known_surface_has_no_ranges() -> None:
     found = asperity.ranges(known, lambda one: one.plasticity_index)
     assert found.lower == found.upper == known.plasticity_index
     assert found.shares == {}
+
+
+def test_any_number_of_a_text_may_be_a_range() -> None:
+    text = asperity.template().replace("hardness = 2e9 ", "hardness = [1.8e9, 2.2e9] ", 1)
+    known = asperity.Scene.parse(text)
+    assert pickle.loads(pickle.dumps(known)) == known  # noqa: S301
+    assert known != asperity.Scene.parse(asperity.template())
+    found = asperity.ranges(known, lambda one: one.interface.hardness)
+    assert found.lower == pytest.approx(1.8e9)
+    # The other body has 2e9, and the softer one yields.
+    assert found.upper == pytest.approx(2e9)
+    assert known.at("lower").interface.hardness == pytest.approx(1.8e9)
+    assert known.replace(body1_hardness=3e9) != known

@@ -363,7 +363,8 @@ impl SceneFile {
     }
 
     fn __eq__(&self, other: &Self, py: Python<'_>) -> PyResult<bool> {
-        self._arguments(py)?.eq(other._arguments(py)?)
+        let alike = self.0.unknowns() == other.0.unknowns();
+        Ok(alike && self._arguments(py)?.eq(other._arguments(py)?)?)
     }
 
     fn __repr__<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
@@ -371,6 +372,12 @@ impl SceneFile {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Object<'py>, Bound<'py, PyTuple>)> {
+        // No argument has the ranges of the numbers of a text.
+        if slf.get().0.unknowns().iter().any(|one| one.status == "given") {
+            let text = slf.get().to_toml(None)?;
+            let parse = slf.get_type().getattr("parse")?;
+            return Ok((parse, PyTuple::new(slf.py(), [text])?));
+        }
         let arguments = PyTuple::new(slf.py(), slf.get()._arguments(slf.py())?.values())?;
         Ok((slf.get_type().into_any(), arguments))
     }
