@@ -13,9 +13,7 @@ pub mod recommended;
 #[cfg(feature = "evidence")]
 mod weighed;
 
-#[doc(hidden)]
-pub use check::likely_unit;
-pub use check::{Check, DerivedNumber, Plausible, plain_findings};
+pub use check::{Check, DerivedNumber, Plausible, unusual};
 #[cfg(feature = "evidence")]
 pub use corrected::{Corrected, CorrectedRow, CorrectedSeparation, CorrectedValue};
 pub use evidence::{Compared, Evidence, EvidenceCase, EvidenceRow};
