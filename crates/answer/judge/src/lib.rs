@@ -8,9 +8,7 @@ mod ranking;
 pub mod recommended;
 
 pub use best::{Answering, Best, BestContact, Known, Other, SolvedContact, Source};
-#[doc(hidden)]
-pub use check::likely_unit;
-pub use check::{Check, DerivedNumber, Plausible, plain_findings};
+pub use check::{Check, DerivedNumber, Plausible, unusual};
 pub use evidence::{
     Compared, Estimate, Evidence, EvidenceCase, EvidenceRow, ExpectedContact, SurfaceShape,
     compile_known,

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::error::{Place, SceneError};
-use crate::likely::notation_hint;
+use crate::quantity::notation_hint;
 use crate::text_file::shorten;
 
 /// A csv whose first line names its columns. Empty lines and lines that begin with # are skipped.
@@ -100,21 +100,19 @@ impl<'t> Cells<'t> {
         let is_decimal = |cell: &&str| cell.contains(',') && self.number(cell).is_some();
         let has_commas = self.rows.iter().flat_map(|(_, row)| row).any(is_decimal);
         let number = |(line, row): &(usize, Vec<&str>)| {
-            let (given, at) = (row[k], self.place(*line, self.head[k]));
-            let found = format!("\"{}\"", shorten(given).replace(char::is_control, " "));
-            // 1.500 may be 1,5 or 1500.
-            let commas = "has a point where other cells have decimal commas; write a comma, or no separator of thousands";
+            let given = row[k];
             let hint = match self.number(given) {
                 _ if given.is_empty() => return Ok(None),
-                _ if has_commas && given.contains('.') => commas.into(),
+                // 1.500 may be 1,5 or 1500.
+                _ if has_commas && given.contains('.') => {
+                    "has a point where other cells have decimal commas; write a comma"
+                }
                 Some(value) if value.is_finite() => return Ok(Some(value)),
-                Some(_) => return Err(SceneError::value(at, shorten(given), "a finite number")),
-                None => match notation_hint(given).or(odd.map(Into::into)) {
-                    Some(hint) => hint,
-                    None => return Err(SceneError::value(at, shorten(given), "a number")),
-                },
+                _ => notation_hint(given).or(odd).unwrap_or("is not a finite number"),
             };
-            Err(SceneError::Notation { at, found, hint })
+            let found = format!("\"{}\"", shorten(given).replace(char::is_control, " "));
+            let at = self.place(*line, self.head[k]);
+            Err(SceneError::Notation { at, found, hint: hint.into() })
         };
         self.rows.iter().map(number).collect()
     }

@@ -1,23 +1,17 @@
 //! Plausibility of a scene file: the library's findings by the keys of the file, and those of a
 //! scan.
 
-use std::sync::Arc;
-
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     Advice, At, Check, Code, Contact, ContactError, ContactModel, Finding, Findings,
-    HeightDistribution, Plausible, ProfileMoments, plain_findings, short,
+    HeightDistribution, Plausible, ProfileMoments, unusual,
 };
 use asperity_topography::Statistics;
 
-use crate::error::Place;
 use crate::evidence::KURTOSIS;
-use crate::keys::{INTERFACE, Key, OF_PAIR, joined};
+use crate::keys::{INTERFACE, OF_PAIR};
 use crate::measured::Measured;
-use crate::odd::{odd_drawing, odd_roughness};
-use crate::origin::Provenance;
 use crate::scene_file::SceneFile;
-use crate::spec::Description;
 
 /// The range of the skewness of nearly Gaussian heights.
 const SKEWNESS: [f64; 2] = [-0.8, 0.8];
@@ -41,35 +35,48 @@ impl SceneFile {
     /// Unusual values of the scene, of each body by its own name, and of a scan.
     #[must_use]
     pub fn findings(&self) -> Findings {
-        let of_asperities = |found: &Finding| ASPERITY_FIELDS.contains(&&*found.field);
-        let of_interface = self.scene.findings().into_iter();
-        let no_asperities = self.no_asperities().is_some();
-        // Without asperities, these are numbers of a surface that stands in for them.
-        let of_interface = of_interface.filter(|found| {
-            let stands_in = no_asperities && of_asperities(found);
-            !stands_in && (self.bodies().is_empty() || !of_bodies(&found.field))
-        });
-        let mut of_interface: Vec<Finding> = of_interface.collect();
-        // The numbers that were given, in place of findings about asperities that follow from them.
-        let asperities = of_interface.iter().filter(|found| of_asperities(found));
-        let worst = asperities.map(|found| (found.severity, !found.is_implausible())).min();
-        if let Some((severity, plausible)) = worst {
-            if let Some(odd) = self.odd_number() {
-                of_interface.retain(|f| !of_asperities(f) && f.code != "few-asperities");
-                of_interface.push(odd.severity(severity).implausible(!plausible));
-            } else if !self.spec.follows_from(&self.scene).is_empty() {
-                of_interface.retain(|found| !of_asperities(found));
-                let together = self.unusual_together();
-                of_interface.extend(together.map(|found| found.implausible(!plausible)));
+        let of_scene = self.scene.findings().into_iter();
+        let of_scene =
+            of_scene.filter(|found| self.bodies().is_empty() || !of_bodies(&found.field));
+        let (of_asperities, mut found): (Vec<_>, Vec<_>) =
+            of_scene.partition(|found| ASPERITY_FIELDS.contains(&&*found.field));
+        let given = self.unusual_given();
+        if !given.is_empty() {
+            // The asperities follow from these numbers.
+            found.retain(|found| found.code != Code::FewAsperities);
+            found.extend(given);
+        } else if self.no_asperities().is_none() {
+            let names = self.spec.follows_from(&self.scene);
+            let first = of_asperities.first().cloned().and_then(Finding::with_stated_unit);
+            match names.is_empty() {
+                true => found.extend(of_asperities),
+                false => found.extend(first.map(|found| {
+                    let found = found.from_origin(format!("asperities from {}", names.join(", ")));
+                    found.advice("check these numbers and their units")
+                })),
             }
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let of_pair = self.missing_hardness().into_iter().chain(self.equally_hard());
-        let found = of_interface.into_iter().chain(self.of_bodies()).chain(of_pair);
+        let found = found.into_iter().chain(self.of_bodies()).chain(of_pair);
         let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
         let found = self.accepted(found).into_iter();
         let found = found.filter(|found| !self.warnings.contains(found));
         found.filter_map(|found| self.without_stated_unit(found)).collect()
+    }
+
+    /// The unusual ones among the numbers of the surfaces from which their asperities follow.
+    fn unusual_given(&self) -> Vec<Finding> {
+        let is_pair = self.spec.counterface.is_some();
+        let given = self.spec.surfaces().flat_map(|(section, one)| {
+            let follows = is_pair || one.roughness().is_none_or(|one| one.way.is_of_surface());
+            let numbers = if follows { one.numbers() } else { vec![] };
+            numbers.into_iter().filter_map(move |(key, value)| {
+                let found = unusual(key, value)?;
+                Some(if is_pair { found.within(section) } else { found })
+            })
+        });
+        given.collect()
     }
 
     /// Unusual values of the bodies; those of two bodies of one material once.
@@ -90,43 +97,14 @@ impl SceneFile {
         kept
     }
 
-    /// A finding of the numbers that were given for unusual asperities that follow from them.
-    fn unusual_together(&self) -> Option<Finding> {
-        let given = self.spec.follows_from(&self.scene).into_iter().map(|(name, value)| {
-            let unit = Key::find("surface", name).map_or("", |key| key.unit);
-            let value = value.map_or(String::new(), |value| format!(" = {} {unit}", short(value)));
-            format!("{name}{value}").trim_end().to_string()
-        });
-        let given: Vec<String> = given.collect();
-        let found = plain_findings(&self.scene.surface).into_iter().next()?;
-        let found = found.from_origin(format!("asperities from {}", given.join(", ")));
-        Some(found.advice("check these numbers and their units"))
-    }
-
     /// The finding without a likely unit if the number was given with its unit.
     fn without_stated_unit(&self, found: Finding) -> Option<Finding> {
-        let is_stated = self.origin.as_ref().is_some_and(|origin| origin.is_stated(&found.field));
-        if is_stated { found.with_stated_unit() } else { Some(found) }
-    }
-
-    /// The number, given without a unit, that explains findings about the asperities.
-    fn odd_number(&self) -> Option<Finding> {
-        self.spec.surfaces().find_map(|(section, one)| {
-            let is_stated = |key: &str| {
-                let stated = |origin: &Arc<Provenance>| origin.is_stated(&joined(section, key));
-                self.origin.as_ref().is_some_and(stated)
-            };
-            let (key, value, hint) = match &one.by {
-                Description::Numbers(roughness) => odd_roughness(roughness, is_stated),
-                Description::Drawing(drawing) => odd_drawing(drawing, is_stated),
-                Description::Scan(_) => None,
-            }?;
-            let path = joined(section, key);
-            let place =
-                self.origin.as_ref().map_or_else(|| Place::field(&*path), |of| of.place(&path));
-            let fact = format!("{place} = {} {hint}", short(value));
-            Some(Finding::warning(Code::UnusualSize, key, value).fact(fact))
-        })
+        if !self.origin.as_ref().is_some_and(|origin| origin.is_stated(&found.field)) {
+            return Some(found);
+        }
+        let found = found.with_stated_unit()?;
+        let is_implausible = found.is_implausible() && found.excess() > 10.0;
+        Some(found.implausible(is_implausible))
     }
 
     /// One finding for each cause, without those that the scene accepts.
@@ -158,11 +136,11 @@ impl SceneFile {
             Some((model, at)) => Check::at(model, &self.scene, at)?,
             None => Check::of(&self.scene)?,
         };
-        let (theirs, of_scene) = (self.scene.findings(), self.findings());
         // Findings about an answer may be consequences of an implausible input.
+        let of_scene = self.findings();
         let valid = !of_scene.are_implausible();
         let of_answer = std::mem::take(&mut check.findings).into_iter();
-        let of_answer = of_answer.filter(|finding| valid && !theirs.contains(finding));
+        let of_answer = of_answer.filter(|finding| valid && finding.model.is_some());
         check.findings = of_answer.collect();
         check.extend(of_scene);
         if let Some((model, _)) = place {

@@ -14,7 +14,6 @@ use toml::{Spanned, Table, Value};
 
 use crate::error::{Place, SceneError};
 use crate::keys::{COUNTERFACE, Field, Key, Subject, joined, keys_of, section_and_name};
-use crate::likely::number_hint;
 use crate::origin::Provenance;
 use crate::quantity::{converted, in_si};
 use crate::ranges::Unknown;
@@ -95,7 +94,6 @@ impl<'a> Document<'a> {
                 Some(units) => {
                     let number = in_si(text, key, units).map_err(|hint| {
                         let (at, found) = (self.place(path), format!("{:?}", shorten(text)));
-                        let hint = number_hint(key, text).unwrap_or(hint);
                         SceneError::Notation { at, found, hint }
                     })?;
                     self.origin.stated.push(path.into());

@@ -1,18 +1,11 @@
 //! Numbers with a unit, "210 GPa", in SI units.
 
 use asperity::{
-    OTHER_UNITS, UNITS, Units, hardness_of_vickers, nearest_hint, plain_unit as plain, short,
-    vickers_of_brinell, vickers_of_rockwell_c,
+    Code, Finding, OTHER_UNITS, SeparationUnit, UNITS, Units, hardness_of_vickers,
+    plain_unit as plain, short, vickers_of_brinell, vickers_of_rockwell_c,
 };
 
 use crate::keys::{Key, key_of_input};
-use crate::likely::{hardness_test, notation_hint};
-use crate::scaled::{leading, scale};
-use crate::sides;
-
-/// Units of kinematic viscosities, which data sheets of oils have, and what to do.
-const KINEMATIC: [&str; 4] = ["cSt", "St", "mm2/s", "m2/s"];
-const TIMES_DENSITY: &str = "is a kinematic viscosity: multiply it by the density (10 cSt in oil of 870 kg/m3 are 8.7 mPa s)";
 
 /// The SI unit of a key of scene files, as [`quantity`] takes it; `None` for keys without a unit.
 ///
@@ -52,7 +45,7 @@ pub const NO_LOAD: &str = "0 is neither a load (above 0) nor a tension (below 0)
 /// ```
 /// assert_eq!(asperity_scene::quantity("2.5 kN", "N").unwrap(), 2500.0);
 /// let error = asperity_scene::quantity("2.5 mm", "N").unwrap_err();
-/// assert_eq!(error, "\"2.5 mm\" is not a number in N: write 2kN, for example (units: N, kN, MN, mN, uN)");
+/// assert_eq!(error, "\"2.5 mm\" is not a number in N: write \"2 kN\", for example (units: N, kN, MN, mN, uN)");
 /// ```
 ///
 /// # Errors
@@ -94,33 +87,59 @@ pub(crate) fn in_si(text: &str, key: &str, units: Units) -> Result<f64, String> 
         let (value, unit) = in_known_unit(text, key, si)?;
         read(&format!("{value:e}{unit}"), units)
     };
-    if let Some(value) = read(text, units).or_else(other) {
-        return Ok(value);
-    }
-    let is_hardness = key == "yield_strength" && hardness_test(text).is_some();
-    let strength = "is a hardness, not a yield strength: give hardness instead";
-    let is_kinematic =
-        si == "Pa s" && leading(text).is_some_and(|(_, unit)| KINEMATIC.contains(&&*plain(&unit)));
-    let other_scale = |scale: &str| key == "hardness" && text.to_uppercase().contains(scale);
-    let is_other = ["HB", "HR", "SHORE"].into_iter().any(other_scale);
-    let of_table = "is a hardness outside the tables for steel (20 to 65 HRC, up to 450 HB): convert it to HV or GPa";
-    let hint = is_hardness.then_some(strength).or(is_kinematic.then_some(TIMES_DENSITY));
-    let hint = hint.or(is_other.then_some(of_table));
-    Err(hint.map(String::from).or_else(|| notation_hint(text)).unwrap_or_else(|| {
-        let near = nearest_hint(in_other_case(text, units));
+    read(text, units).or_else(other).ok_or_else(|| {
+        if let Some(hint) = notation_hint(text) {
+            return hint.into();
+        }
         let typed = Key::find("", key).map(|key| key.form[1]).filter(|typed| !typed.is_empty());
-        // 200 1/mm2 joined would read as 2001 per mm2.
         let example = typed.unwrap_or(example);
-        let example =
-            if example.contains(" 1/") { example.into() } else { example.replace(' ', "") };
         let names = names.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ");
-        format!("is not a number in {si}{near}: write {example}, for example (units: {names})")
-    }))
+        format!("is not a number in {si}: write \"{example}\", for example (units: {names})")
+    })
 }
 
-/// The Vickers number of a hardness test, and the table by which it was found from another scale.
+/// What is wrong with a number that is refused for its commas or points; `None` for other texts.
+///
+/// ```
+/// assert!(asperity_scene::notation_hint("1,5 kN").is_some());
+/// assert_eq!(asperity_scene::notation_hint("1.5 kN"), None);
+/// ```
+#[must_use]
+pub fn notation_hint(text: &str) -> Option<&'static str> {
+    let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let separates = |(k, c): (usize, char)| {
+        is_digit(text[..k].chars().next_back()) && is_digit(text[k + c.len_utf8()..].chars().next())
+    };
+    let separators = text.char_indices().filter(|(_, c)| ",'\u{2019}\u{a0}\u{202f}".contains(*c));
+    let is_odd = { separators }.any(separates) || text.matches('.').count() > 1;
+    is_odd.then_some("has a decimal comma or separators of thousands; write it as 1234.5")
+}
+
+/// The decimal number at the start of a text, and the unit behind it.
+fn leading(text: &str) -> Option<(String, String)> {
+    let text = text.trim();
+    let is_part = |c: char| c.is_ascii_digit() || ".+-eE_".contains(c);
+    let (number, unit) = text.split_at(text.find(|c| !is_part(c)).unwrap_or(text.len()));
+    let number = number.replace('_', "").to_lowercase();
+    number.parse::<f64>().ok().map(|_| (number, plain(unit)))
+}
+
+/// A decimal number times a power of ten, rounded once.
+fn scale(number: &str, power: i32) -> Option<f64> {
+    let (digits, own) = number.split_once('e').unwrap_or((number, "0"));
+    let exponent = own.parse::<i32>().ok()?.checked_add(power)?;
+    format!("{digits}e{exponent}").parse().ok()
+}
+
+/// The Vickers number of the result of a hardness test, `120 HV10` or `HRC 58`, and the table by
+/// which it was found from another scale.
 fn vickers(text: &str) -> Option<(f64, Option<&'static str>)> {
-    let (number, scale) = hardness_test(text)?;
+    let text = text.to_uppercase();
+    let (number, scale) = ["HV", "HRC", "HBW", "HB"].into_iter().find_map(|scale| {
+        let (before, after) = text.trim().split_once(scale)?;
+        let number = [before, after].into_iter().find_map(|text| text.trim().parse::<f64>().ok());
+        number.filter(|value| value.is_finite()).map(|number| (number, scale))
+    })?;
     Some(match scale {
         "HV" => (number, None),
         "HRC" => (vickers_of_rockwell_c(number)?, Some("by a table for steel, 20 to 65 HRC")),
@@ -134,8 +153,7 @@ fn in_known_unit(text: &str, key: &str, si: &str) -> Option<(f64, &'static str)>
     if let Some((vickers, _)) = vickers(text).filter(|_| key == "hardness") {
         return Some((1e-9 * hardness_of_vickers(vickers), "GPa"));
     }
-    let (number, rest) = leading(text)?;
-    let unit = plain(&rest);
+    let (number, unit) = leading(text)?;
     let other = |(of, name, ..): &&(&str, &str, f64, &str)| *of == si && *name == unit;
     let (.., factor, decimal) = OTHER_UNITS.iter().find(other)?;
     Some((factor * scale(&number, 0)?, decimal))
@@ -158,37 +176,59 @@ pub fn converted(text: &str, key: &str, si: &str) -> Option<String> {
     Some(format!("{} {unit}{}", short(value), table.unwrap_or_default()))
 }
 
-/// The number with the only unit that differs in case: 20kN for 20KN; `None` if there are two (MN,
-/// mN).
-fn in_other_case(given: &str, units: Units) -> Option<String> {
-    let (number, rest) = leading(given)?;
-    let unit = plain(&rest);
-    let mut alike = units.2.iter().filter(|(known, _)| known.eq_ignore_ascii_case(&unit));
-    let (known, _) = alike.next().filter(|_| alike.next().is_none())?;
-    Some(format!("{number}{known}"))
+/// A number with one of the units.
+fn read(given: &str, (.., units): Units) -> Option<f64> {
+    let (number, unit) = leading(given)?;
+    // 1/mm2 may be written /mm2 or mm-2, 1/mm /mm or mm-1.
+    let is = |known: &str| {
+        let inverse = |of: &str| {
+            let (length, power) = of.strip_suffix('2').map_or((of, 1), |length| (length, 2));
+            unit.strip_prefix('/') == Some(of) || unit == format!("{length}-{power}")
+        };
+        unit == known || known.strip_prefix("1/").is_some_and(inverse)
+    };
+    let (_, power) = units.iter().find(|(known, _)| is(known))?;
+    scale(&number, *power)
 }
 
-/// A number with one of the units.
-fn read(given: &str, (si, _, units): Units) -> Option<f64> {
-    let with_unit = || {
-        let (number, rest) = leading(given)?;
-        let unit = plain(&rest);
-        // 1/mm2 may be written /mm2 or mm-2, 1/mm /mm or mm-1.
-        let is = |known: &str| {
-            let inverse = |of: &str| {
-                let (length, power) = of.strip_suffix('2').map_or((of, 1), |length| (length, 2));
-                unit.strip_prefix('/') == Some(of) || unit == format!("{length}-{power}")
-            };
-            unit == known || known.strip_prefix("1/").is_some_and(inverse)
-        };
-        let (_, of_unit) = units.iter().find(|(known, _)| is(known))?;
-        scale(&number, *of_unit)
+/// Separations beyond this many σ_z are unlikely.
+const FAR: f64 = 1e3;
+/// Separations below this many σ_z are unlikely, except 0.
+const NEAR: f64 = 1e-3;
+/// Usual gaps, in σ_z.
+const GAPS: std::ops::Range<f64> = 1e-2..30.0;
+/// Gaps above this length \[m\] are unlikely.
+const LONG: f64 = 0.1;
+
+/// A warning for a separation (or another length, by its `name`) of an unlikely size in its unit,
+/// with the `remedy`; σ_z is `height_std` \[m\].
+///
+/// ```
+/// use asperity::SeparationUnit;
+///
+/// let found = |x| asperity_scene::mistaken_unit("gap", x, SeparationUnit::Sigma, 1e-6, "write 2um");
+/// let text = "gap is 2e-6 asperity_height_std (usual: 0.001 to 1000): write 2um";
+/// assert_eq!(found(2e-6).unwrap().to_string(), text);
+/// assert_eq!(found(2.0), None);
+/// ```
+#[must_use]
+pub fn mistaken_unit(
+    name: &str,
+    value: f64,
+    unit: SeparationUnit,
+    height_std: f64,
+    remedy: &str,
+) -> Option<Finding> {
+    let size = value.abs();
+    let (si, usual) = match unit {
+        SeparationUnit::Metres => ("m", [0.0, LONG.max(FAR * height_std)]),
+        SeparationUnit::Sigma => ("asperity_height_std", [NEAR, FAR]),
+        _ => return None,
     };
-    let by_sides = || {
-        let lengths = UNITS.iter().find(|(known, ..)| *known == "m")?.2;
-        sides::area(given, lengths, units)
-    };
-    with_unit().or_else(|| if si == "m^2" { by_sides() } else { None })
+    // A gap next to 0 that is none in metres either is meant so, and an infinite one, too.
+    let is_odd = size > usual[1] || size < usual[0] && GAPS.contains(&(size / height_std));
+    let found = Finding::warning(Code::LikelyUnit, name.to_string(), value).usual(usual).unit(si);
+    (is_odd && size.is_finite()).then(|| found.advice(remedy.to_string()))
 }
 
 #[cfg(test)]
@@ -215,51 +255,23 @@ mod tests {
             assert!((found / wanted - 1.0).abs() < 3e-6, "{text}: {found}");
             assert_eq!(converted(text, "", si).as_deref(), Some(same));
         }
-        assert!(quantity("36 ksi", "N").unwrap_err().contains("write 2kN, for example"));
+        assert!(quantity("36 ksi", "N").is_err());
         assert_eq!(converted("210 GPa", "youngs_modulus", "Pa"), None);
     }
 
     #[test]
-    fn units_in_another_case_are_suggested() {
-        for (text, si, near) in [
-            ("20KN", "N", Some("20kN")),
-            ("69 Gpa", "Pa", Some("69GPa")),
-            ("2Um", "m", Some("2um")),
-            ("1 W/(m k)", "W/(m K)", Some("1W/(mK)")),
-            // Ambiguous: mega or milli.
-            ("3 mn", "N", None),
-            ("20 KP", "N", None),
-        ] {
-            let error = quantity(text, si).unwrap_err();
-            let suggestion = near.map(|near| format!("(the nearest is {near:?})"));
-            match suggestion {
-                Some(suggestion) => assert!(error.contains(&suggestion), "{error}"),
-                None => assert!(!error.contains("nearest"), "{error}"),
-            }
-        }
-    }
-
-    #[test]
-    fn powers_are_read_and_other_digits_after_a_number_refused() {
-        for (text, si, meant) in [
-            ("10^2 N", "N", 100.0),
-            ("10\u{b2} N", "N", 100.0),
-            ("10^-3 m", "m", 1e-3),
-            ("5\u{b7}10^6 Pa", "Pa", 5e6),
-            ("2.5 x 10^3 N", "N", 2500.0),
-            ("2.5*10^3N", "N", 2500.0),
-            ("2.5 \u{d7} 10\u{2076} Pa", "Pa", 2.5e6),
-            ("5 x 10^2 mm2", "m^2", 5e-4),
-            ("5\u{b7}10^1 mm2", "m^2", 5e-5),
-            ("10^3 1/mm2", "1/m^2", 1e9),
-            ("12 500 N", "N", 12500.0),
-            ("1\u{202f}234\u{202f}567.5 Pa", "Pa", 1_234_567.5),
-        ] {
-            assert_eq!(quantity(text, si), Ok(meant), "{text}");
-        }
-        for text in ["2^10 N", "2*10 N", "1 00 N", "1000 500 N"] {
+    fn other_digits_beside_a_number_are_refused() {
+        for text in ["2^10 N", "10^2 N", "10\u{b2} N", "2*10 N", "5 x 10^2 N", "1 00 N", "12 500 N"]
+        {
             assert!(quantity(text, "N").is_err(), "{text}");
         }
+        for text in ["1,5 N", "1.234.567 N", "1'500 N", "12\u{202f}500 N"] {
+            assert_eq!(notation_hint(text).is_some(), quantity(text, "N").is_err(), "{text}");
+        }
+        assert_eq!(
+            [notation_hint("5 1/mm2"), notation_hint("1.500"), notation_hint("1, 5")],
+            [None; 3]
+        );
     }
 
     #[test]
@@ -280,28 +292,11 @@ mod tests {
         let note = converted("58 HRC", "hardness", "Pa").unwrap();
         assert!(note.starts_with("6.907 GPa (653 HV "), "{note}");
         for text in ["70 HRC", "500 HB", "90 HRB", "60 Shore A"] {
-            assert!(
-                quantity_of("hardness", text).unwrap_err().contains("tables for steel"),
-                "{text}"
-            );
+            assert!(quantity_of("hardness", text).is_err(), "{text}");
         }
         assert!(quantity_of("yield_strength", "120 HV").is_err());
-        assert!(quantity("120 HV", "N").unwrap_err().contains("units: N, kN"));
+        assert!(quantity("120 HV", "N").is_err());
         assert!(quantity_of("youngs_modulus", "120 HV").is_err());
-    }
-
-    #[test]
-    fn the_example_of_a_message_is_that_of_the_key() {
-        for (key, text, wanted) in [
-            ("hardness", "5 kg", "write 2GPa, for example"),
-            ("youngs_modulus", "210 mm", "write 210GPa, for example"),
-            ("sq", "Ra 0.8", "write 1.1um, for example"),
-            ("asperity_density", "0.01 1/in2", "write 200 1/mm2, for example"),
-        ] {
-            let error = quantity_of(key, text).unwrap_err();
-            assert!(error.contains(wanted), "{error}");
-        }
-        assert!(quantity("5 kg", "Pa").unwrap_err().contains("write 5MPa, for example"));
     }
 
     fn value(text: &str, key: &str) -> Option<f64> {

@@ -5,14 +5,14 @@ use std::sync::Arc;
 
 use asperity::{
     Body, Code, ContactError, Datum, HeightDistribution, Interface, ProfileMoments, Scene,
-    TabulatedHeights,
+    TabulatedHeights, short,
 };
 use asperity_topography::Topography;
 
 use crate::curvature::Curvature;
 use crate::finish::Drawing;
 use crate::gap::Gas;
-use crate::keys::COUNTERFACE;
+use crate::keys::{COUNTERFACE, Key};
 use crate::materials::Material;
 use crate::measured::{Measured, Scan};
 use crate::options::ModelOptions;
@@ -197,6 +197,15 @@ impl SurfaceSpec {
         }
     }
 
+    /// The numbers that describe it, by their keys.
+    pub(crate) fn numbers(&self) -> Vec<(&'static str, f64)> {
+        match &self.by {
+            Description::Numbers(roughness) => roughness.by_key().collect(),
+            Description::Drawing(drawing) => drawing.by_key().collect(),
+            Description::Scan(_) => vec![],
+        }
+    }
+
     /// The statistics of the scan of this surface.
     pub(crate) fn measured(&self) -> Option<&Arc<Measured>> {
         self.scan()?.measured.as_ref()
@@ -295,17 +304,19 @@ impl SceneSpec {
         }
     }
 
-    /// The keys from which the asperities follow, if they are not given directly or measured, and
-    /// their numbers where these describe the surface alone.
-    pub(crate) fn follows_from(&self, scene: &Scene) -> Vec<(&'static str, Option<f64>)> {
+    /// The numbers from which the asperities follow, if they are not given directly or measured.
+    pub(crate) fn follows_from(&self, scene: &Scene) -> Vec<String> {
         let is_drawn = self.surfaces().any(|(_, one)| one.drawing().is_some());
-        match (self.roughness(scene), self.surface.roughness()) {
-            _ if is_drawn => vec![("ra", None)],
-            (Some(roughness), _) => roughness.by_key().map(|(key, x)| (key, Some(x))).collect(),
-            (None, Some(one)) if one.way == Way::PlasticityIndex => {
-                one.by_key().map(|(key, _)| (key, None)).collect()
-            }
-            _ => vec![],
-        }
+        let numbers = match (self.roughness(scene), self.surface.roughness()) {
+            _ if is_drawn => return vec!["ra".into()],
+            (Some(roughness), _) => roughness,
+            (None, Some(one)) if one.way == Way::PlasticityIndex => one,
+            _ => return vec![],
+        };
+        let shown = |(key, value)| {
+            let unit = Key::find("surface", key).map_or("", |key| key.unit);
+            format!("{key} = {} {unit}", short(value)).trim_end().into()
+        };
+        numbers.by_key().map(shown).collect()
     }
 }

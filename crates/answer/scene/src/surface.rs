@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use asperity::{
-    Code, ContactError, Finding, HeightDistribution, ProfileMoments, Scene, nearest_name, short,
+    Code, Finding, HeightDistribution, ProfileMoments, Scene, nearest_name, short, unusual,
 };
 use toml::Value;
 
@@ -13,7 +13,6 @@ use crate::finish::{Drawing, FINISH};
 use crate::heights::HeightsKey;
 use crate::keys::{COUNTERFACE, KEYS, Key, Subject, joined};
 use crate::measured::Scan;
-use crate::odd::{odd_roughness, steep_slope, too_steep};
 use crate::resolve::Fault;
 use crate::roughness::{Roughness, WAYS, Way};
 use crate::scans::{Asked, Scans};
@@ -29,10 +28,6 @@ const STD: &str = "asperity_height_std";
 const SURFACE_STD: &str = "surface_height_std";
 /// Keys that describe a surface only beside others.
 const BESIDE: [&str; 4] = [STD, SURFACE_STD, "mean_slope", "sdq"];
-/// The slope above which a surface that is too steep is rather that than given in another unit.
-const ROUGH: f64 = 0.3;
-/// The field of an error for moments that no isotropic Gaussian surface has.
-const BANDWIDTH: &str = "bandwidth (m0 m4/m2^2)";
 
 /// What a section needs, with all ways.
 fn one_way() -> String {
@@ -182,25 +177,21 @@ fn described(
     Ok(Some((Description::Numbers(Roughness { way, numbers }), key)))
 }
 
-/// An error of a number at its place: of numbers that no surface has, with what is probably wrong.
+/// An error of a number at its place, or the unit in which a number without one would be usual.
 pub(crate) fn refused(
     document: &Document<'_>,
     spec: &SceneSpec,
     Fault { section, source }: Fault,
 ) -> SceneError {
-    let mut surfaces = spec.surfaces().filter(|(of, _)| *of == section);
-    if let Some(roughness) = surfaces.find_map(|(_, one)| one.roughness()) {
-        let is_steep = matches!(source, ContactError::OutOfRange { field: BANDWIDTH, .. });
-        let steep = too_steep(&roughness).filter(|_| is_steep);
-        let odd =
-            odd_roughness(&roughness, |key| document.origin.is_stated(&joined(&section, key)));
-        let is_rough = |(_, slope, _): &(_, f64, _)| *slope > ROUGH;
-        if let Some((key, value, hint)) = steep.clone().filter(is_rough).or(odd).or(steep) {
-            let at = document.place(&joined(&section, key));
-            return SceneError::Notation { at, found: short(value), hint };
-        }
-    }
-    document.refused(&section)(source)
+    let mut of_section = spec.surfaces().filter(|(of, _)| *of == section);
+    let numbers = of_section.next().map_or(vec![], |(_, one)| one.numbers());
+    let is_positive = numbers.iter().all(|(_, value)| *value > 0.0);
+    let odd = numbers.into_iter().filter(|_| is_positive).find_map(|(key, value)| {
+        let path = joined(&section, key);
+        let unit = unusual(key, value)?.likely_unit.filter(|_| !document.origin.is_stated(&path));
+        Some(SceneError::Refused { at: document.place(&path), reason: unit? })
+    });
+    odd.unwrap_or_else(|| document.refused(&section)(source))
 }
 
 /// The findings of the numbers of the surfaces.
@@ -224,18 +215,9 @@ pub(crate) fn notes(document: &Document<'_>, spec: &SceneSpec, scene: &Scene) ->
                 .and_then(Drawing::skewed)
                 .filter(|_| matches!(spec.heights.distribution, HeightDistribution::Gaussian)),
         );
-        let Some(roughness) = one.roughness() else { continue };
-        let slope = steep_slope(&roughness);
-        // Of two surfaces, each finding has its place.
-        if spec.counterface.is_none() {
-            notes.extend(slope);
-            continue;
-        }
-        notes.extend(slope.map(|found| {
-            let place = place(&joined(section, &found.field));
-            found.within(section).from_origin(place)
-        }));
-        if roughness.way != Way::Moments
+        // The moments of each of two surfaces add.
+        if let Some(roughness) = one.roughness().filter(|one| one.way != Way::Moments)
+            && spec.counterface.is_some()
             && let Ok(asperities) = roughness.surface(&scene.interface)
         {
             let moments = roughness.moments(&asperities);

@@ -7,8 +7,7 @@ use asperity::{
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
 use crate::keys::{
-    BODIES, BODY, COUNTERFACE, Field, INTERFACE, KEYS, Key, MECHANICAL, OF_PAIR, SECOND,
-    key_of_input,
+    BODIES, BODY, COUNTERFACE, Field, INTERFACE, Key, MECHANICAL, OF_PAIR, SECOND, key_of_input,
 };
 use crate::ranges::Unknown;
 use crate::roughness::{Roughness, Way};
@@ -150,7 +149,7 @@ impl SceneFile {
         let known = self.all_inputs();
         let input = |name: &'n str| {
             let found = known.iter().find(|(other, _)| other == name);
-            found.map(|(_, input)| (name, input.0)).ok_or_else(|| self.unknown(name, &known))
+            found.map(|(_, input)| (name, input.0)).ok_or_else(|| Self::unknown(name, &known))
         };
         let found = names.into_iter().map(input).collect::<Result<Vec<_>, _>>()?;
         let refused = |name: &str, reason| Err(SceneError::Input { name: name.into(), reason });
@@ -193,25 +192,13 @@ impl SceneFile {
     }
 
     /// The error about a name that is no input of this scene.
-    fn unknown(&self, name: &str, known: &[(String, SceneInput)]) -> SceneError {
+    fn unknown(name: &str, known: &[(String, SceneInput)]) -> SceneError {
         let names: Vec<&str> = known.iter().map(|(name, _)| &**name).collect();
-        // Of another way to describe the surface, or of bodies that the scene does not have.
-        let is_key = KEYS.iter().any(|key| key.name == key_of_input(name)) || name == "skewness";
+        let synonym = Key::synonym(name).map(|(key, _)| key).filter(|key| names.contains(key));
         let of_body = names.iter().copied().find(|known| key_of_input(known) == name);
-        let is_absent = is_key && of_body.is_none();
-        let reason = is_absent.then(|| format!("; {name} needs a scene that is given by it"));
-        let synonym = Key::synonym(name).filter(|(key, _)| names.contains(key));
-        // What tells the input from the name that was meant.
-        let difference = synonym.and_then(|(key, differs)| {
-            let differs = differs.strip_prefix("it ")?;
-            Some(format!("; {key} {}", differs.trim_end_matches("; ")))
-        });
-        let synonym = synonym.map(|(key, _)| key);
         let near = synonym.or(of_body).or_else(|| nearest_name(name, names.iter().copied()));
-        let near = nearest_hint(near);
-        let (known, reason) = (names.join(", "), difference.or(reason).unwrap_or_default());
-        let reason =
-            format!("is not an input of this scene{near}: one of {known} was required{reason}");
+        let (near, known) = (nearest_hint(near), names.join(", "));
+        let reason = format!("is not an input of this scene{near}: one of {known} was required");
         SceneError::Input { name: name.into(), reason }
     }
 

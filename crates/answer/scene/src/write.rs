@@ -8,7 +8,6 @@ use toml::{Table, Value};
 
 use crate::document::{Document, Files};
 use crate::error::{Place, SceneError};
-use crate::heights::write_heights;
 use crate::keys::{BODY, Key, joined, keys_of};
 use crate::materials::Material;
 use crate::measured::Scan;
@@ -42,65 +41,6 @@ impl SceneFile {
     /// # Errors
     /// [`SceneError::Unwritable`] for heights that a file cannot represent.
     pub fn to_toml(&self, comments: &[&str]) -> Result<String, SceneError> {
-        self.text(None, comments)
-    }
-
-    /// Writes [`to_toml`](Self::to_toml) to a file and returns the text. A table of heights is
-    /// written to a CSV file in the same folder: `scene.csv` for `scene.toml`.
-    ///
-    /// # Errors
-    /// Those of [`to_toml`](Self::to_toml), and [`SceneError::Unwritable`] with the system's
-    /// reason.
-    pub fn save(&self, path: &Path, comments: &[&str]) -> Result<String, SceneError> {
-        let at = || Place { file: Some(path.into()), ..Place::field("the scene file") };
-        let written = |path: &Path, text: &str| {
-            let at = Place { file: Some(path.into()), ..at() };
-            fs::write(path, text).map_err(|error| unwritable(at, &error.to_string()))
-        };
-        let table = self.table().filter(|_| !self.spec.heights.is_measured);
-        let Some(table) = table else {
-            let text = self.to_toml(comments)?;
-            written(path, &text)?;
-            return Ok(text);
-        };
-        let beside = path.with_extension("csv");
-        let name = beside.file_name().and_then(|name| name.to_str()).filter(|_| beside != path);
-        let needed = "its name must be valid UTF-8 and must not end in .csv";
-        let text = self.text(Some(name.ok_or_else(|| unwritable(at(), needed))?), comments)?;
-        written(&beside, &write_heights(table.points()))?;
-        written(path, &text)?;
-        Ok(text)
-    }
-
-    /// The scene of these bodies and this area with the other sections that these keys describe:
-    /// `surface`, `options`, `accept`.
-    ///
-    /// # Errors
-    /// Those of [`parse`](crate::parse), without lines.
-    pub fn with_keys(bodies: &Bodies, nominal_area: f64, keys: Table) -> Result<Self, SceneError> {
-        let mut top = bodies.keys();
-        top.insert("nominal_area".into(), nominal_area.into());
-        top.extend(keys);
-        let text = top.to_string();
-        scene_file(&Document::new(None, Files::Nowhere, &text)?, Asked::Asperities)
-    }
-
-    /// The keys of `[surface]` of a surface that three numbers of its own do not describe: known
-    /// within ranges, beside a counterface, or given with a plasticity index.
-    #[must_use]
-    pub fn keys_beyond_numbers(&self) -> Option<Table> {
-        let has_scan = self.spec.surfaces().any(|(_, one)| one.scan().is_some());
-        let by_index = |one: Roughness| one.way == Way::PlasticityIndex;
-        let is_drawn = self.spec.surface.drawing().is_some();
-        let is_beyond = is_drawn
-            || self.spec.counterface.is_some()
-            || self.spec.is_smooth
-            || self.spec.surface.roughness().is_some_and(by_index);
-        (is_beyond && !has_scan).then(|| self.surface_keys())
-    }
-
-    /// The text; a table of heights is in this file, or in the text.
-    fn text(&self, heights: Option<&str>, comments: &[&str]) -> Result<String, SceneError> {
         let note = |line: &str| format!("# {}\n", line.replace(|c: char| c.is_control(), " "));
         let text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
         let spec = &self.spec;
@@ -112,7 +52,7 @@ impl SceneFile {
             }
         };
         let mut surface = self.surface_keys();
-        surface.extend(self.heights_key(heights)?.map(|key| ("heights".into(), key)));
+        surface.extend(self.heights_key()?.map(|key| ("heights".into(), key)));
         if spec.separation_from == Datum::SurfaceMean {
             surface.insert("separation_from".into(), "surface-mean".into());
         }
@@ -147,6 +87,44 @@ impl SceneFile {
         Ok(text + &lines("", &top) + &sections)
     }
 
+    /// Writes [`to_toml`](Self::to_toml) to a file and returns the text.
+    ///
+    /// # Errors
+    /// Those of [`to_toml`](Self::to_toml), and [`SceneError::Unwritable`] with the system's
+    /// reason.
+    pub fn save(&self, path: &Path, comments: &[&str]) -> Result<String, SceneError> {
+        let text = self.to_toml(comments)?;
+        let at = Place { file: Some(path.into()), ..Place::field("the scene file") };
+        fs::write(path, &text).map_err(|error| unwritable(at, &error.to_string()))?;
+        Ok(text)
+    }
+
+    /// The scene of these bodies and this area with the other sections that these keys describe:
+    /// `surface`, `options`, `accept`.
+    ///
+    /// # Errors
+    /// Those of [`parse`](crate::parse), without lines.
+    pub fn with_keys(bodies: &Bodies, nominal_area: f64, keys: Table) -> Result<Self, SceneError> {
+        let mut top = bodies.keys();
+        top.insert("nominal_area".into(), nominal_area.into());
+        top.extend(keys);
+        let text = top.to_string();
+        scene_file(&Document::new(None, Files::Nowhere, &text)?, Asked::Asperities)
+    }
+
+    /// The keys of `[surface]` of a surface that three numbers of its own do not describe: known
+    /// within ranges, beside a counterface, or given with a plasticity index.
+    #[must_use]
+    pub fn keys_beyond_numbers(&self) -> Option<Table> {
+        let has_scan = self.spec.surfaces().any(|(_, one)| one.scan().is_some());
+        let by_index = |one: Roughness| one.way == Way::PlasticityIndex;
+        let is_drawn = self.spec.surface.drawing().is_some();
+        let is_beyond = is_drawn
+            || self.spec.counterface.is_some()
+            || self.spec.surface.roughness().is_some_and(by_index);
+        (is_beyond && !has_scan).then(|| self.surface_keys())
+    }
+
     /// The keys that describe both surfaces, but for the heights and the plane of separations.
     fn surface_keys(&self) -> Table {
         let (first, second) = (&self.spec.surface, self.spec.counterface.as_ref());
@@ -174,24 +152,23 @@ impl SceneFile {
     }
 
     /// `heights`; none of Gaussian ones.
-    fn heights_key(&self, file: Option<&str>) -> Result<Option<Value>, SceneError> {
+    fn heights_key(&self) -> Result<Option<Value>, SceneError> {
         let named = |name: &str, value: Value| Table::from_iter([(name.into(), value)]).into();
-        Ok(match (&self.spec.heights.distribution, self.table(), file) {
-            (HeightDistribution::Gaussian, ..) => None,
-            (HeightDistribution::Exponential, ..) => Some("exponential".into()),
-            (HeightDistribution::Weibull(heights), ..) => {
+        Ok(match (&self.spec.heights.distribution, self.table()) {
+            (HeightDistribution::Gaussian, _) => None,
+            (HeightDistribution::Exponential, _) => Some("exponential".into()),
+            (HeightDistribution::Weibull(heights), _) => {
                 Some(named("skewness", heights.skewness().into()))
             }
-            (_, Some(_), _) if self.spec.heights.is_measured => Some("measured".into()),
-            (_, Some(_), Some(file)) => Some(named("file", file.into())),
-            (_, Some(table), None) => {
+            (_, Some(_)) if self.spec.heights.is_measured => Some("measured".into()),
+            (_, Some(table)) => {
                 let (heights, densities): (Vec<f64>, Vec<f64>) =
                     table.points().iter().copied().unzip();
                 let columns = [("height_m", heights), ("density_per_m", densities)];
                 let column = |(name, column): (&str, Vec<f64>)| (name.into(), Value::from(column));
                 Some(Table::from_iter(columns.map(column)).into())
             }
-            (heights, ..) => {
+            (heights, None) => {
                 let reason = format!("{}: a density that is not a table", heights.name());
                 return Err(unwritable(Place::field("surface.heights"), &reason));
             }

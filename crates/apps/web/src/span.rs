@@ -107,9 +107,9 @@ impl Load {
             (Ok(newtons), Err(_)) => (NEWTON, newtons),
             (Err(_), Ok(pascals)) => (PASCAL, pascals),
             (Err(_), Err(_)) => {
-                let hint = notation_hint(&text).unwrap_or_else(|| {
-                    "is neither a load nor a pressure: write 2 kN or 5 MPa, for example".into()
-                });
+                let hint = notation_hint(&text).unwrap_or(
+                    "is neither a load nor a pressure: write 2 kN or 5 MPa, for example",
+                );
                 return Err(wrong(format!("{text:?} {hint}")));
             }
         };

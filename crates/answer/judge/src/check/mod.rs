@@ -5,7 +5,6 @@ mod answer;
 mod findings;
 mod impossible;
 mod interferences;
-mod materials;
 mod moduli;
 mod roughness;
 mod usual;
@@ -14,9 +13,7 @@ use std::borrow::Cow;
 
 use serde::{Serialize, Serializer};
 
-pub use self::roughness::plain_findings;
-#[doc(hidden)]
-pub use self::usual::likely_unit;
+pub use self::usual::unusual;
 use crate::recommended::{DMT, JKR, JKR_SEPARATION};
 use asperity_core::{
     ATOMIC_DISTANCE, Code, ContactError, Finding, Findings, HeightDistribution, Scene, short,

@@ -1,131 +1,106 @@
-//! Numbers outside their usual range, and the units that explain them.
+//! The usual range of each number of a scene, and the unit that explains a number outside of it.
 
-use std::iter::once;
-
-use asperity_core::{Code, Finding, short};
-
-/// A unit that users may give in place of SI: name, and value in SI units.
-pub(super) type Unit = (&'static str, f64);
-
-/// Units of moduli and strengths \[Pa\].
-pub(super) const PRESSURES: &[Unit] = &[("GPa", 1e9), ("MPa", 1e6)];
-const HEIGHTS: &[Unit] = &[("um", 1e-6), ("mm", 1e-3), ("nm", 1e-9)];
-const DENSITIES: &[Unit] = &[("1/mm2", 1e6), ("1/um2", 1e12)];
+use asperity_core::{
+    Code, Finding, Surface, UNITS, hardness_of_vickers, plain_unit, short, vickers_of_rockwell_c,
+};
 
 /// The advice about an unusual number.
 pub(super) const CHECK_UNIT: &str = "check the number and its unit";
 
-/// A number of a scene: name, usual range, SI unit, and the units in which it may be given by
-/// mistake, the likeliest first.
-#[derive(Clone, Copy)]
-pub(super) struct Input<'u> {
-    pub(super) field: &'static str,
-    pub(super) usual: [f64; 2],
-    pub(super) si: &'static str,
-    pub(super) units: &'u [Unit],
-}
+/// Units that explain no number.
+const RARE: [&str; 3] = ["bar", "cm", "kPa"];
 
-/// From cleaved mica to the texture of asphalt.
-pub(super) const HEIGHT: [f64; 2] = [3e-11, 2e-3];
-/// Numbers of a surface: R from a sharp tip to a lens, η from the stones of asphalt, a centimetre
-/// apart, to atomic corrugation.
-pub(super) const SURFACE: [Input<'static>; 11] = [
-    Input::new("asperity_height_std", HEIGHT, "m", HEIGHTS),
-    Input::new("asperity_radius", [2e-9, 5e-2], "m", &[("mm", 1e-3), ("um", 1e-6)]),
-    Input::new("asperity_density", [5e3, 1e16], "1/m2", DENSITIES),
-    Input::new("surface_height_std", HEIGHT, "m", HEIGHTS),
-    Input::new("sq", HEIGHT, "m", HEIGHTS),
-    Input::new("ra", HEIGHT, "m", HEIGHTS),
-    Input::new("rz", HEIGHT, "m", HEIGHTS),
-    Input::new("spd", [1e6, 1e16], "1/m2", DENSITIES),
-    Input::new("spc", [100.0, 5e8], "1/m", &[("1/mm", 1e3), ("1/um", 1e6)]),
-    Input::new("m0", [1e-21, 4e-6], "m2", &[("um2", 1e-12), ("nm2", 1e-18)]),
-    Input::new("m4", [100.0, 1e17], "1/m2", DENSITIES),
+/// Numbers of a scene by their keys: the usual range, a typical value, and the SI unit.
+type Usual = (&'static [&'static str], [f64; 2], f64, &'static str);
+
+/// From elastomers to diamond; asperities from atomic corrugation to the stones of asphalt.
+const USUAL: [Usual; 18] = [
+    (&["youngs_modulus", "equivalent_modulus"], [1e6, 2e12], 1e11, "Pa"),
+    (&["equivalent_shear_modulus"], [3e5, 1e12], 3e10, "Pa"),
+    (&["hardness"], [1e5, 1.5e11], 3e9, "Pa"),
+    (&["yield_strength"], [1e5, 5e10], 5e8, "Pa"),
+    // S = 0.454 + 0.41 nu.
+    (&["pressure_factor"], [0.2, 1.2], 0.6, ""),
+    // From surfaces in a liquid to cold-welding metals.
+    (&["work_of_adhesion"], [1e-3, 5.0], 0.05, "J/m2"),
+    // From aerogels to diamond.
+    (&["thermal_conductivity"], [0.01, 3000.0], 50.0, "W/(m K)"),
+    // Of conductors, from cold copper to carbon and composites.
+    (&["electrical_resistivity"], [1e-9, 1e-2], 1e-7, "ohm m"),
+    // From the tip of an instrument to a large flange.
+    (&["nominal_area"], [1e-16, 0.03], 1e-4, "m2"),
+    // From cleaved mica to the texture of asphalt.
+    (
+        &["asperity_height_std", "surface_height_std", "sq", "ra", "rq", "rz"],
+        [3e-11, 2e-3],
+        1e-6,
+        "m",
+    ),
+    (&["asperity_radius"], [2e-9, 1e-2], 1e-4, "m"),
+    (&["asperity_density"], [5e3, 1e16], 1e9, "1/m2"),
+    (&["spd"], [1e6, 1e16], 1e9, "1/m2"),
+    (&["spc"], [100.0, 5e8], 5e3, "1/m"),
+    (&["m0"], [1e-21, 4e-6], 1e-12, "m2"),
+    (&["m4"], [100.0, 1e17], 5e4, "1/m2"),
+    (&["sdq", "mean_slope", "rms_gradient", "height_std_over_radius"], [0.0, 1.0], 0.1, ""),
+    (&["roughness_parameter"], Surface::USUAL_ASPERITY_ROUGHNESS, 0.04, ""),
 ];
 
-/// `looks like um; 1.1 um is 1.1e-6 m` for a number of a surface, by its key, that only another
-/// unit makes usual.
-#[doc(hidden)]
+/// The finding of a number outside its usual range, by its key in scene files; with the unit in
+/// which it is nearest to a typical number, if one makes it usual. Such a number, and one ten times
+/// outside the range, is implausible.
+///
+/// ```
+/// let found = asperity_judge::unusual("sq", 1.1).unwrap().to_string();
+/// assert_eq!(found, "sq is 1.1 m (usual: 3e-11 to 0.002): 1.1 looks like um; 1.1 um is 1.1e-6 m");
+/// assert_eq!(asperity_judge::unusual("sq", 1.1e-6), None);
+/// ```
 #[must_use]
-pub fn likely_unit(key: &str, value: f64) -> Option<String> {
-    let key = if key == "rq" { "ra" } else { key };
-    let input = SURFACE.iter().find(|input| input.field == key)?;
-    Some(input.looks_like(value, input.unit(value)?))
+pub fn unusual(key: &'static str, value: f64) -> Option<Finding> {
+    let (_, usual, ..) = USUAL.iter().find(|(keys, ..)| keys.contains(&key))?;
+    outside(key, value, *usual)
 }
 
-impl<'u> Input<'u> {
-    pub(super) const fn new(
-        field: &'static str,
-        usual: [f64; 2],
-        si: &'static str,
-        units: &'u [Unit],
-    ) -> Self {
-        Self { field, usual, si, units }
+/// The same with another usual range.
+pub(super) fn outside(key: &'static str, value: f64, usual: [f64; 2]) -> Option<Finding> {
+    let (.., typical, si) = *USUAL.iter().find(|(keys, ..)| keys.contains(&key))?;
+    if within(value, usual) {
+        return None;
     }
-
-    /// The finding of a value outside the usual range, with the first unit that makes it usual.
-    pub(super) fn finding(&self, value: f64) -> Option<Finding> {
-        (!within(value, self.usual)).then(|| self.in_unit(value, self.unit(value)))
-    }
-
-    /// The first unit that makes an unusual value usual.
-    fn unit(&self, value: f64) -> Option<Unit> {
-        let is_usual = |size| within(value * size, self.usual);
-        self.units.iter().copied().find(|(_, size)| !is_usual(1.0) && is_usual(*size))
-    }
-
-    fn looks_like(&self, value: f64, (unit, size): Unit) -> String {
-        let [given, meant] = [value, value * size].map(short);
-        format!("looks like {unit}; {given} {unit} is {meant} {}", self.si)
-    }
-
-    /// The finding of a value in this likely unit, if there is one; ten times outside the usual
-    /// range the value is implausible.
-    pub(super) fn in_unit(&self, value: f64, unit: Option<Unit>) -> Finding {
-        let found =
-            Finding::warning(Code::UnusualSize, self.field, value).usual(self.usual).unit(self.si);
-        let found = found.implausible(implausible(value, self.usual)).advice(CHECK_UNIT);
-        match unit {
-            Some(unit) => {
-                found.likely_unit(format!("{} {}", short(value), self.looks_like(value, unit)))
-            }
-            None => found,
+    let found = Finding::warning(Code::UnusualSize, key, value).usual(usual).unit(si);
+    let off = |size: f64| (value * size / typical).ln().abs();
+    let known = units(key, si, value).into_iter().filter(|(_, size)| within(value * size, usual));
+    let found = match known.min_by(|one, other| off(one.1).total_cmp(&off(other.1))) {
+        Some((unit, size)) => {
+            let [given, meant] = [value, value * size].map(short);
+            let hint = format!("{given} looks like {unit}; {given} {unit} is {meant} {si}");
+            found.likely_unit(hint.trim_end()).implausible(true)
         }
-    }
+        None => found.implausible(value < 0.1 * usual[0] || value > 10.0 * usual[1]),
+    };
+    Some(found.advice(CHECK_UNIT))
 }
 
-/// Findings of the numbers that in other units, the fewest and likeliest, go with the others; none
-/// where no units explain them. `cost` is that of the values in these units, if they go together.
-pub(super) fn in_other_units(
-    numbers: &[(Input<'_>, f64)],
-    cost: impl Fn(&[f64], &[Option<Unit>]) -> Option<f64>,
-) -> Vec<Finding> {
-    let mut choices: Vec<Vec<Option<Unit>>> = vec![vec![]];
-    for (input, _) in numbers {
-        let units = || once(None).chain(input.units.iter().copied().map(Some));
-        let longer = |one: Vec<_>| units().map(move |unit| [&one[..], &[unit]].concat());
-        choices = choices.into_iter().flat_map(longer).collect();
+/// The units of a number with their sizes in SI; those of hardnesses have scales of tests, of which
+/// the size of 1 HRC depends on the number, and slopes have per cent.
+fn units(key: &str, si: &str, value: f64) -> Vec<(&'static str, f64)> {
+    let listed = UNITS.iter().filter(|(known, ..)| plain_unit(known) == plain_unit(si));
+    // Inputs in these units are rare.
+    let units = listed.flat_map(|(.., units)| *units).filter(|(unit, _)| !RARE.contains(unit));
+    let mut units: Vec<_> = units.map(|(unit, power)| (*unit, 10f64.powi(*power))).collect();
+    match key {
+        "hardness" => {
+            units.push(("HV", hardness_of_vickers(1.0)));
+            let rockwell = vickers_of_rockwell_c(value).map(hardness_of_vickers);
+            units.extend(rockwell.map(|pascals| ("HRC", pascals / value)));
+        }
+        "sdq" | "mean_slope" => units.push(("%", 0.01)),
+        _ => {}
     }
-    let ranked = choices.into_iter().filter_map(|units| {
-        let size = |unit: &Option<Unit>| unit.map_or(1.0, |(_, size)| size);
-        let meant: Vec<f64> =
-            numbers.iter().zip(&units).map(|((_, value), unit)| value * size(unit)).collect();
-        Some((units.iter().flatten().count(), cost(&meant, &units)?, units))
-    });
-    let best = ranked.min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    let found = numbers.iter().zip(best.into_iter().flat_map(|(.., units)| units));
-    let found = found.filter_map(|((input, value), unit)| {
-        Some(input.in_unit(*value, Some(unit?)).implausible(true))
-    });
-    found.collect()
+    units
 }
 
 /// Whether a value is in a range, ends included.
 pub(super) fn within(value: f64, [from, to]: [f64; 2]) -> bool {
     (from..=to).contains(&value)
-}
-
-/// Whether a value is ten times outside the usual range.
-pub(super) fn implausible(value: f64, [from, to]: [f64; 2]) -> bool {
-    value < 0.1 * from || value > 10.0 * to
 }

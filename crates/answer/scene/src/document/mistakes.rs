@@ -6,23 +6,18 @@ use toml::de::Error;
 use super::Document;
 use crate::error::{Place, SceneError};
 use crate::keys::{Key, section_and_name};
-use crate::likely::{notation_hint, number_hint};
+use crate::quantity::notation_hint;
 use crate::text_file::shorten;
 
 impl Document<'_> {
     /// The error for a value of the wrong kind, by the message of serde, whose end is what was
     /// expected.
     pub(crate) fn wrong(&self, path: &str, message: &str) -> SceneError {
-        let (name, meaning) = (section_and_name(path).1, Key::meaning(path));
+        let meaning = Key::meaning(path);
         let span = self.values.get(path).cloned();
         let found = self.text.get(span.unwrap_or_default()).unwrap_or_default();
         let found = shorten(found).replace(char::is_control, " ");
         let expected = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
-        let text = found.strip_prefix('"').and_then(|found| found.strip_suffix('"'));
-        let number = text.filter(|_| expected == "f64" || expected.starts_with("a length "));
-        if let Some(hint) = number.and_then(|text| number_hint(name, text)) {
-            return SceneError::Notation { at: self.place(path), found, hint };
-        }
         let needed = match expected {
             "f64" => format!("a number ({meaning})"),
             "a boolean" => "true or false".into(),
@@ -79,14 +74,11 @@ impl Document<'_> {
     }
 }
 
-/// Advice for a line whose number is written in another notation, or whose quotes are curly.
+/// Advice for a line whose number is written in another notation, or that begins a body.
 fn other_notation(line: &str) -> Option<String> {
     if line.trim() == "[body]" {
         return Some("each of two bodies is written [[body]]; ".into());
     }
     let value = line.split_once('=')?.1.split('#').next()?.trim();
-    if value.contains(['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}']) {
-        return Some("curly quotes were found; write straight quotes, \"; ".into());
-    }
     notation_hint(value).map(|hint| format!("{value} {hint}; "))
 }

@@ -113,9 +113,9 @@ fn every_way_gives_the_surface_of_the_library() {
     // Each of two surfaces by its own section.
     let pair = gradient.split("sdq = ").next().unwrap().replace("1 um", "1 mm") + "sdq = 12\n";
     let pair = format!("{pair}[surface.counterface]\nsq = 1e-3\nspd = 1.11e8\nsdq = 7\n");
-    let warned = read(&text("", INTERFACE, &pair)).unwrap().warnings;
+    let warned = read(&text("", INTERFACE, &pair)).unwrap().findings();
     let fields: Vec<&str> =
-        warned.iter().filter(|one| one.code == "likely-unit").map(|one| &*one.field).collect();
+        warned.iter().filter(|one| one.code == "unusual-size").map(|one| &*one.field).collect();
     assert_eq!(fields, ["surface.sdq", "surface.counterface.sdq"], "{warned:?}");
 }
 

@@ -306,8 +306,7 @@ impl SceneFile {
         self.0.models().0.iter().map(|model| model.id().to_string()).collect()
     }
 
-    /// The text of a scene file that reads back exactly, also written to ``path``, if given, with a
-    /// table of heights in a CSV file of the same name beside it.
+    /// The text of a scene file that reads back exactly, also written to ``path``, if given.
     ///
     /// >>> import asperity
     /// >>> scene = asperity.Scene.parse(asperity.template())
