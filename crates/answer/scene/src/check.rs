@@ -35,9 +35,13 @@ impl SceneFile {
     /// Unusual values of the scene, of each body by its own name, and of a scan.
     #[must_use]
     pub fn findings(&self) -> Findings {
+        let is_curved = self.spec.curvature.is_some();
+        let of_area = |found: &Finding| {
+            is_curved && (found.field == "nominal_area" || found.code == Code::FewAsperities)
+        };
+        let is_own = |found: &Finding| self.bodies().is_empty() || !of_bodies(&found.field);
         let of_scene = self.scene.findings().into_iter();
-        let of_scene =
-            of_scene.filter(|found| self.bodies().is_empty() || !of_bodies(&found.field));
+        let of_scene = of_scene.filter(|found| is_own(found) && !of_area(found));
         let (of_asperities, mut found): (Vec<_>, Vec<_>) =
             of_scene.partition(|found| ASPERITY_FIELDS.contains(&&*found.field));
         let given = self.unusual_given();
@@ -136,6 +140,9 @@ impl SceneFile {
             Some((model, at)) => Check::at(model, &self.scene, at)?,
             None => Check::of(&self.scene)?,
         };
+        if self.spec.curvature.is_some() {
+            check.numbers.retain(|one| !["nominal_area", "asperities"].contains(&&*one.name));
+        }
         // Findings about an answer may be consequences of an implausible input.
         let of_scene = self.findings();
         let valid = !of_scene.are_implausible();

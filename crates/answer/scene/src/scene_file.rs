@@ -162,7 +162,7 @@ impl SceneFile {
         }
         let own = Provenance::default();
         let at = self.origin.as_deref().unwrap_or(&own).place("curvature").into();
-        let reason = "curved bodies have quantities at loads and approaches (curve); joints, fits, exports, boundary elements and checks at a load are of flat bodies: write nominal_area instead of [curvature]";
+        let reason = "only `asperity curve` and the Rust library answer for curved bodies so far: write nominal_area instead of [curvature]";
         Err(SceneError::Refused { at, reason: reason.into() })
     }
 

@@ -20,7 +20,8 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
         "files": fields::files(text),
         "error": null, "findings": [], "numbers": [], "models": [], "usual": "", "scan": null,
     });
-    let read = parse_handed(text, files).map_err(Refusal::from);
+    let read = parse_handed(text, files).and_then(|file| file.need_flat().map(|()| file));
+    let read = read.map_err(Refusal::from);
     found["fields"] = json!(typed);
     let columns = answer::columns(read.as_ref().ok());
     found["views"] = json!(columns);

@@ -389,6 +389,7 @@ impl SceneFile {
         accept: &[String],
     ) -> PyResult<Self> {
         let codes = accept.iter().map(|name| Code::named(name)).collect::<Result<Vec<_>, _>>();
+        let read = read.and_then(|file| file.need_flat().map(|()| file));
         let file = read.map_err(value_error)?.accepting(&codes.map_err(value_error)?);
         file.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
         Ok(Self(Arc::new(file)))
