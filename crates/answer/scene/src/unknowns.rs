@@ -195,7 +195,7 @@ impl SceneFile {
         let names: Vec<String> = self.spreads().iter().map(|(name, _)| name.to_string()).collect();
         (!names.is_empty()).then(|| {
             format!(
-                "the surface is known within ranges only ({}), and this answer is a single number: use curve, check or recommend (ranges in Python), which answer with ranges, or give rq, rdq and bandwidth without a finish, whose lay leaves the slope open",
+                "the surface is known within ranges only ({}), and this answer is a single number: use answer, curve or check (ranges in Python), which answer with ranges, or give rq, rdq and bandwidth without a finish, whose lay leaves the slope open",
                 names.join(", ")
             )
         })
