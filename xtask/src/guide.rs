@@ -179,6 +179,7 @@ fn models() -> String {
         let chapter = match model.id().split('-').next() {
             Some("dmt" | "jkr") | None => "adhesion",
             Some("cmy" | "mikic") => "conductance",
+            Some("best") => "which-model",
             Some(stem) => stem,
         };
         rows += &markdown_row(&[

@@ -184,7 +184,7 @@ fn also(best: &BestContact<Model>, at: At) -> String {
     text.join("; ")
 }
 
-/// The solutions of boundary elements on the scan of a scene at these loads, as an input of answers.
+/// The solutions of boundary elements on the scan of a scene at these loads: an input of answers.
 ///
 /// # Errors
 /// Those of boundary elements.

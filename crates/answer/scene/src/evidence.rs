@@ -40,7 +40,7 @@ impl SceneFile {
 
     /// The Hurst exponent of the scan (of two surfaces, the rougher one); if its spectrum follows
     /// no power law, the given one: an option of `persson` does not change the scan. Fitted once:
-    /// of 1024 x 1024 points it takes a tenth of a second, and each corrected model asks for it.
+    /// of 1024 x 1024 points it takes a tenth of a second, and each answer asks for it.
     fn hurst(&self) -> Option<f64> {
         let fit = |scan: &Scan| {
             let Spectra { radial, .. } = scan.topography.spectra().ok()?;

@@ -1,11 +1,10 @@
-//! The models that answer without evidence, and how far each is from the answer.
+//! A model that answers without evidence, on a scene, and what is known of a place.
 
 use std::sync::{Arc, OnceLock};
 
-use super::{Answering, BestContact};
-use crate::evidence::Lacking;
-use crate::recommended::ANSWERING;
-use crate::{Check, Compared, ExpectedContact, compile_known};
+use super::model::Answering;
+use crate::check::Check;
+use crate::evidence::{Compared, ExpectedContact, Lacking, compile_known};
 use asperity_core::{
     At, Code, Contact, ContactError, Evaluation, Finding, Quantity, Request, Scene, Severity,
 };
@@ -18,20 +17,8 @@ pub(super) struct Candidate<M> {
     lacking: Lacking,
 }
 
-/// A model beside the answer.
-#[derive(Debug, Clone)]
-#[non_exhaustive]
-pub struct Other<M> {
-    /// The model.
-    pub model: M,
-    /// How far it is from the answer in area and stiffnesses, relative to it.
-    pub off: Vec<(Compared, f64)>,
-    /// Why the model is not valid here, if it is not.
-    pub outside: Option<Finding>,
-}
-
 impl<M: Answering> Candidate<M> {
-    fn new(model: M, scene: &Scene, request: &Request) -> Option<Self> {
+    pub(super) fn new(model: M, scene: &Scene, request: &Request) -> Option<Self> {
         let mut asked = Compared::QUANTITIES.to_vec();
         asked.extend([Quantity::Force]);
         asked.extend(model.validity().asperities.then_some(Quantity::Contacts));
@@ -58,7 +45,7 @@ impl<M: Answering> Candidate<M> {
     }
 
     /// Why it is not valid at a place, if it is not.
-    fn outside(&self, at: At) -> Option<Finding> {
+    pub(super) fn outside(&self, at: At) -> Option<Finding> {
         let found = Check::answers_of(&self.model, &*self.contact, &[at]);
         let limits = |one: &Finding| {
             one.code.is_of_model() || matches!(one.code, Code::Crowded | Code::Tabor)
@@ -69,102 +56,7 @@ impl<M: Answering> Candidate<M> {
 
 /// What is known of the candidates at a place, when it is asked for.
 #[derive(Debug, Default)]
-pub(super) struct Judged(OnceLock<Vec<Option<Finding>>>);
-
-impl<M: Answering> BestContact<M> {
-    /// The models, preferred first: without adhesion, unless it matters.
-    pub(super) fn candidates(&self) -> &[Candidate<M>] {
-        self.candidates.get_or_init(|| {
-            let named = || ANSWERING.iter().filter_map(|id| id.parse().ok()).collect();
-            let models = match &self.best.models[..] {
-                [] => named(),
-                models => models.to_vec(),
-            };
-            let theta = self.scene.adhesion_parameter();
-            let adheres = theta.is_some_and(|theta| theta < Scene::HIDES_ADHESION);
-            let fits = |model: &M| model.validity().adhesive == adheres;
-            let made = |model| Candidate::new(model, &self.scene, &self.request);
-            models.into_iter().filter(fits).filter_map(made).collect()
-        })
-    }
-
-    fn judged<'j>(&self, judged: &'j Judged, at: At) -> &'j [Option<Finding>] {
-        judged.0.get_or_init(|| self.candidates().iter().map(|one| one.outside(at)).collect())
-    }
-
-    /// The first valid model with a value, or the first with one and why it is not valid.
-    pub(super) fn first(
-        &self,
-        of: Compared,
-        at: At,
-    ) -> Result<(&Candidate<M>, f64, Option<Finding>), ContactError> {
-        let place = self.place(at);
-        let outside = self.judged(&place.judged, at);
-        let (mut invalid, mut refused) = (None, None);
-        for (one, why) in self.candidates().iter().zip(outside) {
-            match (one.value(of, at), why) {
-                (Ok(value), None) => return Ok((one, value, None)),
-                // No contact carries so much.
-                (Ok(_), Some(why)) if why.code == Code::BeyondFullContact => {
-                    refused.get_or_insert_with(|| self.refused(why.message()));
-                }
-                (Ok(value), Some(why)) => {
-                    invalid.get_or_insert((one, value, Some(why.clone())));
-                }
-                (Err(error), _) => drop(refused.get_or_insert(error)),
-            }
-        }
-        invalid.ok_or_else(|| {
-            refused.unwrap_or_else(|| self.refused("no model has a value on this scene".into()))
-        })
-    }
-
-    /// The valid model that is nearest to the expected value, and its own there.
-    pub(super) fn nearest(
-        &self,
-        of: Compared,
-        expected: &ExpectedContact,
-    ) -> Option<(&Candidate<M>, f64)> {
-        let wanted = expected.estimate(of)?.value;
-        let at = At::Pressure(expected.pressure);
-        let place = self.place(at);
-        let valid = self.candidates().iter().zip(self.judged(&place.judged, at));
-        let valid = valid.filter(|(_, outside)| outside.is_none());
-        let known = valid.filter_map(|(one, _)| Some((one, one.value(of, at).ok()?)));
-        let off = |value: f64| match of {
-            Compared::MeanGap => (value - wanted).abs(),
-            _ => (value / wanted).ln().abs(),
-        };
-        known.min_by(|(_, a), (_, b)| off(*a).total_cmp(&off(*b)))
-    }
-
-    /// The model whose value is the answer or, with evidence, the valid one that is nearest to it.
-    #[must_use]
-    pub fn by(&self, of: Compared, at: At) -> Option<&M> {
-        let place = self.place(at);
-        let expected = place.expected.as_ref().ok();
-        let nearest = expected.and_then(|expected| self.nearest(of, expected)).map(|(one, _)| one);
-        let first = || self.first(of, at).ok().map(|(one, ..)| one);
-        nearest.or_else(first).map(|one| &one.model)
-    }
-
-    /// Every model that may answer beside the answer, preferred first.
-    #[must_use]
-    pub fn others(&self, at: At) -> Vec<Other<M>> {
-        let place = self.place(at);
-        let all = self.candidates().iter().zip(self.judged(&place.judged, at));
-        let other = |(one, outside): (&Candidate<M>, &Option<Finding>)| {
-            let off = |of: &Compared| {
-                let (own, answer) = (one.value(*of, at).ok()?, self.known(*of, at).ok()?.value);
-                Some((*of, own / answer - 1.0))
-            };
-            let relative = Compared::ALL.iter().filter(|of| of.quantity().is_some());
-            let off = relative.filter_map(off).collect();
-            Other { model: one.model.clone(), off, outside: outside.clone() }
-        };
-        all.map(other).collect()
-    }
-}
+pub(super) struct Judged(pub(super) OnceLock<Vec<Option<Finding>>>);
 
 /// A place of an answer.
 #[derive(Debug)]

@@ -4,18 +4,21 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::candidates::{Candidate, Place, SharedPlace};
-use super::load::{FOUND, Gaps};
-use super::{Answering, Best, SolvedContact};
-use crate::evidence::Counted;
-use crate::{Compared, Estimate, Evidence, ExpectedContact};
+use super::counted::Counted;
+use super::model::{Answering, Best, SolvedContact};
+use crate::evidence::{Compared, Estimate, Evidence, ExpectedContact};
 use asperity_core::{
-    At, Code, ContactEngine, ContactError, Datum, Evaluation, Finding, Interval, Quantity, Request,
-    Scene, Separation, SeparationUnit, short,
+    At, Code, Contact, ContactEngine, ContactError, ContactModel, Datum, Evaluation, Finding,
+    Interval, Quantity, Request, Scene, Separation, SeparationUnit, Tolerance, short,
 };
 
 /// Bound on the relative rounding of an expected value: the covariance of the solved cases has a
 /// condition number of some 1e7.
 const ROUNDED: f64 = 1e-9;
+/// Relative error of a pressure that is found.
+pub(super) const FOUND: f64 = 1e-12;
+/// ln p and mean gap \[m\], by ascending pressure.
+pub(super) type Gaps = OnceLock<Vec<[f64; 2]>>;
 /// Places kept.
 const MOST_KEPT: usize = 4096;
 /// Relative difference of equal pressures.
@@ -164,8 +167,8 @@ impl<M: Answering> BestContact<M> {
         known.is_ok_and(|known| known.source == Source::Solved)
     }
 
-    /// What boundary elements are expected to give; under loads lighter than all solved ones, ratios
-    /// to the nearest valid model are kept.
+    /// What boundary elements are expected to give; under loads lighter than all solved ones,
+    /// ratios to the nearest valid model are kept.
     pub(super) fn expected_value(&self, of: Compared, pressure: f64) -> Option<Known> {
         let place = self.place(At::Pressure(pressure));
         let expected = place.expected.as_ref().ok()?;
@@ -381,5 +384,21 @@ impl<M: Answering> ContactEngine for BestContact<M> {
             }
         }
         found
+    }
+}
+
+impl<M: Answering> Best<M> {
+    /// The contact on a scene, for all quantities.
+    ///
+    /// # Errors
+    /// [`ContactError`] naming the input that is out of range.
+    pub fn on(&self, scene: &Scene, tolerance: Tolerance) -> Result<BestContact<M>, ContactError> {
+        BestContact::new(self.clone(), scene, &Request::default().within(tolerance))
+    }
+}
+
+impl<M: Answering> ContactModel for Best<M> {
+    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        Ok(Box::new(BestContact::new(self.clone(), scene, request)?))
     }
 }

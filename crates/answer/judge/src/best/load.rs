@@ -1,9 +1,8 @@
 //! The load at a separation, where solved surfaces determine the mean gap.
 
-use std::sync::OnceLock;
-
-use super::{Answering, BestContact};
-use crate::Compared;
+use super::contact::{BestContact, FOUND};
+use super::model::Answering;
+use crate::evidence::Compared;
 use asperity_core::{Datum, Separation, SeparationUnit};
 
 /// Ratio of neighbouring pressures between which a gap is looked for.
@@ -11,12 +10,7 @@ const STEP: f64 = 1.5;
 /// Pressures over the equivalent modulus that may have evidence.
 const LIGHTEST: f64 = 1e-9;
 const HEAVIEST: f64 = 1.0;
-/// Relative error of a pressure that is found.
-pub(super) const FOUND: f64 = 1e-12;
 const MOST_STEPS: usize = 60;
-
-/// ln p and mean gap \[m\], by ascending pressure.
-pub(super) type Gaps = OnceLock<Vec<[f64; 2]>>;
 
 impl<M: Answering> BestContact<M> {
     /// The mean gap that is expected at a mean pressure.

@@ -2,7 +2,6 @@
 
 mod case;
 mod cholesky;
-mod contacts;
 mod coordinates;
 mod csv;
 mod expected;
@@ -15,7 +14,6 @@ use std::sync::OnceLock;
 use coordinates::Coordinates;
 use process::Process;
 
-pub(crate) use contacts::Counted;
 pub(crate) use of_model::Lacking;
 pub use of_model::compile_known;
 

@@ -235,8 +235,9 @@ impl SceneFile {
     /// of ten; else by the first valid model, without one. The model "best" gives the same numbers.
     ///
     /// ``solve=True`` solves the scan at the loads; ``solved`` takes what ``asperity.bem`` has
-    /// solved. By default the quantities are area, tangent, unloading-stiffness and, as the scene has
-    /// them, tangential-stiffness and thermal-conductance-per-area; the mean gap is always there.
+    /// solved. By default the quantities are area, tangent, unloading-stiffness and, as the scene
+    /// has them, tangential-stiffness and thermal-conductance-per-area; the mean gap is always
+    /// there.
     ///
     /// >>> import asperity
     /// >>> answer = asperity.Scene.parse(asperity.template()).answer(load="100 N")

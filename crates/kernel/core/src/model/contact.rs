@@ -67,8 +67,8 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
     /// [`ContactError::Integral`].
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError>;
 
-    /// The interval of a quantity at a place, or without a quantity that of the distance of the mean
-    /// planes \[m\]; `None` for a model that knows none.
+    /// The interval of a quantity at a place, or without a quantity that of the distance of the
+    /// mean planes \[m\]; `None` for a model that knows none.
     fn interval_at(&self, quantity: Option<Quantity>, at: At) -> Option<Interval> {
         let _ = (quantity, at);
         None

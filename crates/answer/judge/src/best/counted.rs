@@ -1,7 +1,7 @@
 //! How many asperities of a scene touch: one count for every model that is compared with boundary
 //! elements.
 
-use crate::best::Answering;
+use super::model::Answering;
 use crate::recommended::usual_reference;
 use asperity_core::{At, Contact, ContactError, Quantity, Request, Scene};
 

@@ -1,0 +1,115 @@
+//! The model that answers, and how far others are from the answer.
+
+use super::candidates::{Candidate, Judged};
+use super::contact::BestContact;
+use super::model::Answering;
+use crate::evidence::{Compared, ExpectedContact};
+use crate::recommended::ANSWERING;
+use asperity_core::{At, Code, ContactError, Finding, Scene};
+
+/// A model beside the answer.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Other<M> {
+    /// The model.
+    pub model: M,
+    /// How far it is from the answer in area and stiffnesses, relative to it.
+    pub off: Vec<(Compared, f64)>,
+    /// Why the model is not valid here, if it is not.
+    pub outside: Option<Finding>,
+}
+
+impl<M: Answering> BestContact<M> {
+    /// The models, preferred first: without adhesion, unless it matters.
+    pub(super) fn candidates(&self) -> &[Candidate<M>] {
+        self.candidates.get_or_init(|| {
+            let named = || ANSWERING.iter().filter_map(|id| id.parse().ok()).collect();
+            let models = match &self.best.models[..] {
+                [] => named(),
+                models => models.to_vec(),
+            };
+            let theta = self.scene.adhesion_parameter();
+            let adheres = theta.is_some_and(|theta| theta < Scene::HIDES_ADHESION);
+            let fits = |model: &M| model.validity().adhesive == adheres;
+            let made = |model| Candidate::new(model, &self.scene, &self.request);
+            models.into_iter().filter(fits).filter_map(made).collect()
+        })
+    }
+
+    fn judged<'j>(&self, judged: &'j Judged, at: At) -> &'j [Option<Finding>] {
+        judged.0.get_or_init(|| self.candidates().iter().map(|one| one.outside(at)).collect())
+    }
+
+    /// The first valid model with a value, or the first with one and why it is not valid.
+    pub(super) fn first(
+        &self,
+        of: Compared,
+        at: At,
+    ) -> Result<(&Candidate<M>, f64, Option<Finding>), ContactError> {
+        let place = self.place(at);
+        let outside = self.judged(&place.judged, at);
+        let (mut invalid, mut refused) = (None, None);
+        for (one, why) in self.candidates().iter().zip(outside) {
+            match (one.value(of, at), why) {
+                (Ok(value), None) => return Ok((one, value, None)),
+                // No contact carries so much.
+                (Ok(_), Some(why)) if why.code == Code::BeyondFullContact => {
+                    refused.get_or_insert_with(|| self.refused(why.message()));
+                }
+                (Ok(value), Some(why)) => {
+                    invalid.get_or_insert((one, value, Some(why.clone())));
+                }
+                (Err(error), _) => drop(refused.get_or_insert(error)),
+            }
+        }
+        invalid.ok_or_else(|| {
+            refused.unwrap_or_else(|| self.refused("no model has a value on this scene".into()))
+        })
+    }
+
+    /// The valid model that is nearest to the expected value, and its own there.
+    pub(super) fn nearest(
+        &self,
+        of: Compared,
+        expected: &ExpectedContact,
+    ) -> Option<(&Candidate<M>, f64)> {
+        let wanted = expected.estimate(of)?.value;
+        let at = At::Pressure(expected.pressure);
+        let place = self.place(at);
+        let valid = self.candidates().iter().zip(self.judged(&place.judged, at));
+        let valid = valid.filter(|(_, outside)| outside.is_none());
+        let known = valid.filter_map(|(one, _)| Some((one, one.value(of, at).ok()?)));
+        let off = |value: f64| match of {
+            Compared::MeanGap => (value - wanted).abs(),
+            _ => (value / wanted).ln().abs(),
+        };
+        known.min_by(|(_, a), (_, b)| off(*a).total_cmp(&off(*b)))
+    }
+
+    /// The model whose value is the answer or, with evidence, the valid one that is nearest to it.
+    #[must_use]
+    pub fn by(&self, of: Compared, at: At) -> Option<&M> {
+        let place = self.place(at);
+        let expected = place.expected.as_ref().ok();
+        let nearest = expected.and_then(|expected| self.nearest(of, expected)).map(|(one, _)| one);
+        let first = || self.first(of, at).ok().map(|(one, ..)| one);
+        nearest.or_else(first).map(|one| &one.model)
+    }
+
+    /// Every model that may answer beside the answer, preferred first.
+    #[must_use]
+    pub fn others(&self, at: At) -> Vec<Other<M>> {
+        let place = self.place(at);
+        let all = self.candidates().iter().zip(self.judged(&place.judged, at));
+        let other = |(one, outside): (&Candidate<M>, &Option<Finding>)| {
+            let off = |of: &Compared| {
+                let (own, answer) = (one.value(*of, at).ok()?, self.known(*of, at).ok()?.value);
+                Some((*of, own / answer - 1.0))
+            };
+            let relative = Compared::ALL.iter().filter(|of| of.quantity().is_some());
+            let off = relative.filter_map(off).collect();
+            Other { model: one.model.clone(), off, outside: outside.clone() }
+        };
+        all.map(other).collect()
+    }
+}

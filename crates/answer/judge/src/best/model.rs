@@ -1,0 +1,121 @@
+//! The model `best`: what it is made from.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+use crate::evidence::{Compared, SurfaceShape};
+use asperity_core::{Citation, ContactError, ContactModel, Described, Provenance, Validity};
+
+/// What is known best about a scene: what boundary elements gave at the load, where that was
+/// solved; else what they are expected to give, between solved surfaces, with an interval; else the
+/// first valid model, without one.
+///
+/// It has what boundary elements are compared in, and what follows from that: areas, mean pressure,
+/// tangent and unloading stiffness, tangential stiffness, conductances and mean gaps; and the
+/// number of contacts of the usual model.
+///
+/// ```
+/// use asperity::{At, ContactModel, Interface, Model, ProfileMoments, Quantity, Request, Scene, Surface};
+///
+/// let surface = Surface::from_moments(&ProfileMoments { m0: 1.6e-13, m2: 2.5e-3, m4: 3e8 })?;
+/// let scene = Scene::new(Interface::new(115e9, 0.3, 7e9), surface, 1e-4);
+/// let best: Model = "best".parse()?;
+/// let contact = best.compile(&scene, &Request::new([Quantity::Area]))?;
+/// let area = contact.evaluate(Quantity::Area, At::Load(1e3))?.value();
+/// let interval = contact.interval(Quantity::Area, At::Load(1e3)).ok_or("no interval")?;
+/// assert!(interval.lower < area && area < interval.upper);
+/// assert!(interval.of.starts_with("nine of ten surfaces of this spectrum, 1 cm2 with some "));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Serialize, Deserialize)]
+#[serde(bound = "")]
+pub struct Best<M> {
+    /// Those that answer without evidence, preferred first; the usual ones, if there are none.
+    #[serde(skip)]
+    pub(super) models: Vec<M>,
+    #[serde(skip)]
+    pub(super) shape: Option<SurfaceShape>,
+    #[serde(skip)]
+    pub(super) unlike: Option<ContactError>,
+    #[serde(skip)]
+    pub(super) solved: Vec<SolvedContact>,
+}
+
+/// What boundary elements gave on the scan of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SolvedContact {
+    /// Mean pressure \[Pa\].
+    pub pressure: f64,
+    /// Area over nominal area, stiffnesses \[N/m\], mean gap \[m\].
+    pub values: BTreeMap<Compared, f64>,
+    /// Why the solution is uncertain, if it is: it does not answer then where there is evidence.
+    pub uncertain: Option<String>,
+}
+
+/// A model that may answer.
+pub trait Answering: ContactModel + Clone + FromStr<Err = ContactError> + 'static {}
+
+impl<M: ContactModel + Clone + FromStr<Err = ContactError> + 'static> Answering for M {}
+
+impl<M> Best<M> {
+    /// The id of this model.
+    pub const ID: &'static str = "best";
+
+    /// With these models, preferred first, on a surface of this shape, or the reason why no solved
+    /// surface is like it. Without a shape, it is taken as isotropic and must have Gaussian heights
+    /// to have evidence.
+    #[must_use]
+    pub fn new(models: Vec<M>, shape: Result<Option<SurfaceShape>, ContactError>) -> Self {
+        let (shape, unlike) = match shape {
+            Ok(shape) => (shape, None),
+            Err(reason) => (None, Some(reason)),
+        };
+        Self { models, shape, unlike, solved: vec![] }
+    }
+
+    /// The same with what was solved on the scan of the scene.
+    #[must_use]
+    pub fn with_solved(self, solved: Vec<SolvedContact>) -> Self {
+        Self { solved, ..self }
+    }
+}
+
+impl<M> Default for Best<M> {
+    fn default() -> Self {
+        Self::new(vec![], Ok(None))
+    }
+}
+
+impl<M> fmt::Debug for Best<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Best").field("shape", &self.shape).finish_non_exhaustive()
+    }
+}
+
+const CITATION: Citation = Citation {
+    id: "best",
+    name: "Best",
+    authors: "The asperity developers",
+    year: 2026,
+    title: "asperity: rough surfaces in contact",
+    provenance: Provenance::Derived,
+    published: &[("howpublished", "program")],
+};
+
+impl<M: Send + Sync> Described for Best<M> {
+    fn citation(&self) -> &Citation {
+        &CITATION
+    }
+
+    fn validity(&self) -> Validity {
+        Validity {
+            asperities: false,
+            hertz_limit: None,
+            valid_for: "what is known best: boundary elements on surfaces like this, else a valid model",
+            ..Validity::default()
+        }
+    }
+}
