@@ -16,8 +16,8 @@ use crate::error::{Place, SceneError};
 use crate::keys::{COUNTERFACE, Field, Key, Subject, joined, keys_of, section_and_name};
 use crate::origin::Provenance;
 use crate::quantity::{converted, in_si};
-use crate::ranges::Unknown;
 use crate::text_file::shorten;
+use crate::unknown::Unknown;
 
 /// Files that a scene may name, by name: their bytes.
 pub type HandedFiles = BTreeMap<String, Vec<u8>>;

@@ -9,9 +9,9 @@ use asperity::{Code, ContactError, Finding, nearest_name, positive, short};
 use crate::document::Document;
 use crate::error::SceneError;
 use crate::finishes::{Range, finishes};
-use crate::ranges::Unknown;
 use crate::roughness::Roughness;
 use crate::text_file::shorten;
+use crate::unknown::Unknown;
 
 /// The keys of a surface by its finish.
 pub(crate) const FINISH: &[&str] = &[

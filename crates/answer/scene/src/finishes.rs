@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use asperity::{ContactError, short};
 use serde::Deserialize;
 
-use crate::ranges::Unknown;
+use crate::unknown::Unknown;
 
 /// A range of a number of surfaces of one finish, or of one ratio of cut-offs.
 #[derive(Debug, Clone, Deserialize)]
@@ -83,8 +83,8 @@ impl Range {
     }
 
     /// The range of the slope over the usual one of profiles of a finish with this λ_s \[m\]: the
-    /// table has that at 2.5 µm, and the range of the ratio of two slopes of which one has 3.2 times
-    /// the cut-off of the other.
+    /// table has that at 2.5 µm, and the range of the ratio of two slopes of which one has 3.2
+    /// times the cut-off of the other.
     ///
     /// # Errors
     /// Those of [`of_finish`](Self::of_finish).

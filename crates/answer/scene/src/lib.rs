@@ -18,6 +18,7 @@ mod free;
 mod gap;
 mod height_map;
 mod heights;
+mod input;
 mod interface;
 mod keys;
 mod materials;
@@ -40,6 +41,7 @@ mod spec;
 mod surface;
 mod template;
 mod text_file;
+mod unknown;
 mod vary;
 mod write;
 
@@ -52,6 +54,7 @@ pub use free::Free;
 pub use gap::Gas;
 pub use height_map::{height_map, open_seam};
 pub use heights::write_heights;
+pub use input::SceneInput;
 pub use keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE, Subject, key_of_input};
 pub use materials::{Material, materials, materials_like};
 pub use measured::{Measured, Scan};
@@ -63,7 +66,7 @@ pub use origin::Provenance;
 pub use quantity::{
     NO_LOAD, column_of, converted, mistaken_unit, notation_hint, quantity, quantity_of, unit_of,
 };
-pub use ranges::{Points, Unknown};
+pub use ranges::Points;
 pub use read::{load, load_scan, parse, parse_handed};
 pub use roughness::{Roughness, Way};
 pub use scene_file::SceneFile;
@@ -73,4 +76,4 @@ pub use template::{template, template_on};
 pub use toml::Table as Keys;
 /// The value of an option.
 pub use toml::Value as OptionValue;
-pub use vary::SceneInput;
+pub use unknown::Unknown;

@@ -11,6 +11,7 @@ use crate::quantity::unit_of;
 use crate::roughness::Roughness;
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
+use crate::unknown::Unknown;
 
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
@@ -20,60 +21,6 @@ const FULL: usize = 7;
 const INSIDE: usize = 64;
 /// Of a Halton sequence every 409th point is taken: neighbours of large bases are alike.
 const LEAP: usize = 409;
-
-/// A number of a scene that is known within a range: written as two values, or supplied by a
-/// finish or by a yield strength without a hardness.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Unknown {
-    /// Its name, as that of an [input](SceneFile::inputs): `body1_hardness`, `counterface_rq`. The
-    /// `mean_slope` of a finish is that of the isotropic surface with the same rms gradient.
-    pub name: String,
-    /// Lower and upper end, in SI units.
-    pub ends: [f64; 2],
-    /// What the range rests on: `given`, `formula`, `scan` or `assumed`.
-    pub status: &'static str,
-    /// Where the range comes from.
-    pub source: String,
-    /// What would narrow the range.
-    pub narrowed: &'static str,
-}
-
-impl Unknown {
-    /// A range of one number, which is known.
-    pub(crate) fn given(name: &str, value: f64, source: &str) -> Self {
-        // Only the lay of a finish opens a given slope again.
-        let (name, source, narrowed) = (name.into(), source.into(), "a scan");
-        Self { name, ends: [value; 2], status: "given", source, narrowed }
-    }
-
-    /// A range that was written.
-    pub(crate) fn written(name: String, ends: [f64; 2]) -> Self {
-        let source = "two values in the scene".into();
-        Self { name, ends, status: "given", source, narrowed: "one value" }
-    }
-
-    pub(crate) fn is_open(&self) -> bool {
-        self.ends[0] < self.ends[1]
-    }
-
-    /// The number at a share of the range, 0 at its lower end and 1 at its upper one; the middle is
-    /// the geometric mean of two positive ends, or else the arithmetic one.
-    #[must_use]
-    pub fn at(&self, share: f64) -> f64 {
-        match self.ends {
-            [lower, _] if !self.is_open() => lower,
-            [lower, upper] if lower > 0.0 => lower.powf(1.0 - share) * upper.powf(share),
-            [lower, upper] => lower * (1.0 - share) + upper * share,
-        }
-    }
-
-    /// The number in the middle of the range.
-    #[must_use]
-    pub fn middle(&self) -> f64 {
-        self.at(0.5)
-    }
-}
 
 /// A scene in the middle of its ranges and at points of them: first at combinations of their ends,
 /// then at 64 fixed points inside (a Halton sequence).
@@ -94,8 +41,9 @@ pub struct Points {
 }
 
 impl Points {
-    /// The warnings at points with codes that are not `known` in the middle, each with the number of
-    /// its point: one of each code, with the largest excess over its usual range, and where it is.
+    /// The warnings at points with codes that are not `known` in the middle, each with the number
+    /// of its point: one of each code, with the largest excess over its usual range, and where it
+    /// is.
     pub fn worst<'f>(
         &self,
         known: &[Finding],
@@ -246,7 +194,7 @@ impl SceneFile {
     /// yield strengths and finishes.
     #[must_use]
     pub fn unknowns(&self) -> Vec<Unknown> {
-        let mut all: Vec<Unknown> = self.spec.ranges.iter().map(|(_, one)| one.clone()).collect();
+        let mut all: Vec<Unknown> = self.ranges.iter().map(|(_, one)| one.clone()).collect();
         // A refusal is that of the scene.
         let _ = self.spec.settled(&mut |one| {
             let middle = one.middle();
@@ -262,7 +210,7 @@ impl SceneFile {
     /// [`ContactError`] naming the field that is out of range.
     pub fn at(&self, shares: &[f64]) -> Result<Self, ContactError> {
         let mut shares = shares.iter().copied();
-        let written = self.spec.ranges.iter();
+        let written = self.ranges.iter();
         let written: Vec<_> =
             written.zip(shares.by_ref()).map(|((input, one), at)| (*input, one.at(at))).collect();
         let edited = if written.is_empty() { self } else { &self.with_inputs(written)? };
@@ -336,7 +284,8 @@ impl SceneFile {
     }
 
     /// The scene with every unknown at one `end` of its range, `lower` or `upper`, or in its
-    /// `middle`, for an answer in single numbers, and a note that names the ranges, if there are any.
+    /// `middle`, for an answer in single numbers, and a note that names the ranges, if there are
+    /// any.
     ///
     /// # Errors
     /// [`SceneError::Refused`] for another word, and for numbers that no scene has.

@@ -3,27 +3,27 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use asperity::{Code, Datum, Finding, Findings, TabulatedHeights};
+use asperity::{Code, ContactError, Datum, Finding, Findings, TabulatedHeights};
 use toml::Value;
 
 use crate::accept;
-use crate::curvature::curvature;
+use crate::curvature::{Curvature, WAYS};
 use crate::document::{Document, Files, HandedFiles};
 use crate::error::{Place, SceneError};
 use crate::gap::gas;
 use crate::height_map::height_map;
 use crate::heights::{HeightsKey, compare_std};
+use crate::input::SceneInput;
 use crate::interface::bodies;
-use crate::keys::{COUNTERFACE, joined, keys_of};
+use crate::keys::{COUNTERFACE, CURVATURE, joined, keys_of};
 use crate::options::ModelOptions;
-use crate::ranges::Unknown;
 use crate::resolve::resolve;
 use crate::scans::{Asked, Scans, density};
 use crate::scene_file::SceneFile;
 use crate::spec::{HeightsSpec, SceneSpec};
 use crate::surface::{Surfaces, notes, refused, surfaces};
 use crate::text_file::read_text;
-use crate::vary::SceneInput;
+use crate::unknown::Unknown;
 
 /// Reads a scene file and the files that it names.
 ///
@@ -91,6 +91,28 @@ pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
 /// Those of [`parse`]; [`SceneError::Unreadable`] for a file that is not among `files`.
 pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneError> {
     scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
+}
+
+/// The bodies of the section `[curvature]`.
+fn curvature(document: &Document<'_>) -> Result<Option<Curvature>, SceneError> {
+    if !document.has("curvature") {
+        return Ok(None);
+    }
+    let mut found = Curvature::default();
+    document.read_numbers("curvature", CURVATURE, &mut found)?;
+    match found.shape() {
+        Err(ContactError::Missing { .. }) => Err(document.missing("curvature", WAYS)),
+        Err(ContactError::Refused { reason, .. }) => {
+            Err(SceneError::Refused { at: document.place("curvature"), reason })
+        }
+        Err(error) => Err(document.refused("curvature")(error)),
+        Ok(_) if document.has("nominal_area") => {
+            let needed =
+                "one of the two (curved bodies meet at a patch, which follows from the load)";
+            Err(document.conflict("nominal_area", "curvature", needed))
+        }
+        Ok(_) => Ok(Some(found)),
+    }
 }
 
 /// What a document says of its scene.
@@ -185,9 +207,10 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
         measured,
         warnings,
         solved: vec![],
+        ranges: vec![],
         origin: Some(Arc::new(origin)),
     };
-    file.spec.ranges = ranges(document, &file)?;
+    file.ranges = ranges(document, &file)?;
     match file.no_mean_plane() {
         Some(needed) => {
             Err(document.conflict("surface.separation_from", "surface.heights", needed))

@@ -10,11 +10,13 @@ use asperity_topography::Topography;
 
 use crate::error::SceneError;
 use crate::gap::Gas;
+use crate::input::SceneInput;
 use crate::measured::{Measured, Scan};
 use crate::origin::Provenance;
 use crate::resolve::resolve;
 use crate::roughness::Roughness;
 use crate::spec::{Bodies, Description, HeightsSpec, SceneSpec};
+use crate::unknown::Unknown;
 
 /// A scene with what was written about it, and where.
 #[derive(Debug, Clone)]
@@ -31,6 +33,8 @@ pub struct SceneFile {
     /// What boundary elements gave on its scan, where that was solved: an input of
     /// [`best`](Self::best).
     pub solved: Vec<SolvedContact>,
+    /// The numbers that were written as ranges.
+    pub(crate) ranges: Vec<(SceneInput, Unknown)>,
     /// Where it was written; nowhere where numbers were changed since.
     pub(crate) origin: Option<Arc<Provenance>>,
 }
@@ -45,7 +49,7 @@ impl From<Scene> for SceneFile {
         spec.surface.mean_plane_offset = scene.mean_plane_offset;
         spec.heights = HeightsSpec::from(scene.heights.clone());
         let (warnings, solved) = Default::default();
-        Self { spec, scene, measured: None, warnings, solved, origin: None }
+        Self { spec, scene, measured: None, warnings, solved, ranges: vec![], origin: None }
     }
 }
 
@@ -57,7 +61,7 @@ impl SceneFile {
     pub fn of_spec(spec: SceneSpec) -> Result<Self, ContactError> {
         let (scene, measured) = resolve(&spec).map_err(|fault| fault.source)?;
         let (warnings, solved) = Default::default();
-        Ok(Self { spec, scene, measured, warnings, solved, origin: None })
+        Ok(Self { spec, scene, measured, warnings, solved, ranges: vec![], origin: None })
     }
 
     /// The bodies from which the interface follows, if given.

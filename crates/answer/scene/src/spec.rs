@@ -16,9 +16,7 @@ use crate::keys::{COUNTERFACE, Key};
 use crate::materials::Material;
 use crate::measured::{Measured, Scan};
 use crate::options::ModelOptions;
-use crate::ranges::Unknown;
 use crate::roughness::{Roughness, Way};
-use crate::vary::SceneInput;
 
 /// What was written about a scene. `SceneFile::of_spec` makes a scene of it.
 #[derive(Debug, Clone)]
@@ -49,8 +47,6 @@ pub struct SceneSpec {
     pub options: ModelOptions,
     /// Codes of accepted warnings and notes, which are not shown.
     pub accept: Vec<Code>,
-    /// The numbers that were written as ranges, whose middle stands in their place.
-    pub(crate) ranges: Vec<(SceneInput, Unknown)>,
 }
 
 /// The two bodies in contact, or what they have together.
@@ -255,7 +251,6 @@ impl SceneSpec {
             gas: None,
             options: ModelOptions::default(),
             accept: vec![],
-            ranges: vec![],
         }
     }
 

@@ -11,13 +11,13 @@ use crate::error::{Place, SceneError};
 use crate::keys::{BODY, Key, joined, keys_of};
 use crate::materials::Material;
 use crate::measured::Scan;
-use crate::ranges::Unknown;
 use crate::read::scene_file;
 use crate::roughness::{Roughness, Way};
 use crate::scans::Asked;
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SurfaceSpec};
 use crate::template::template;
+use crate::unknown::Unknown;
 
 impl SceneFile {
     /// The text of a scene file that [`parse`](crate::parse) reads back bit for bit, with what was
@@ -67,7 +67,7 @@ impl SceneFile {
             top.insert("gap".into(), Table::try_from(gas).unwrap_or_default().into());
         }
         top.insert("options".into(), spec.options.changed().into());
-        for (input, Unknown { ends, .. }) in &spec.ranges {
+        for (input, Unknown { ends, .. }) in &self.ranges {
             let (section, key) = input.place(&spec.bodies);
             let ends = Value::from(ends.to_vec());
             section_mut(&mut top, &section).map(|table| table.insert(key.into(), ends));

@@ -6,7 +6,7 @@ use anyhow::Result;
 use asperity::bem::{Bem, BemOptions, Continuation};
 use asperity::recommended::BEM;
 use asperity::{At, Described, Model, Quantity, Request, Separation, SeparationUnit, Tolerance};
-use asperity_answer::Sheet;
+use asperity_answer::{ALL_MODELS, Sheet};
 use asperity_scene::SceneFile;
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -18,7 +18,6 @@ use crate::input::numbers::{load_or_tension, number, pressure_or_tension, relati
 use crate::input::usage_error;
 use crate::output::table::{self, Format};
 use crate::output::{self, once};
-use crate::scene::ALL_MODELS;
 
 /// Models of a scene, quantities, and separations or loads.
 #[derive(Debug, Args)]
@@ -44,7 +43,8 @@ pub struct ModelArgs {
     #[arg(long = "lambda", value_name = "A:B:N[:log]|v,v")]
     #[arg(action = ArgAction::Append, conflicts_with_all = ["given", "films"])]
     ratios: Vec<Numbers>,
-    /// Approaches of curved bodies: in m, or with a unit, for example 5um; the scene has [curvature]
+    /// Approaches of curved bodies: in m, or with a unit, for example 5um; the scene has
+    /// [curvature]
     #[arg(long = "approach", value_name = "A:B:N[:log]|v,v", value_parser = all(metre))]
     #[arg(action = ArgAction::Append, conflicts_with_all = ["given", "separations", "films", "ratios"])]
     approaches: Vec<Numbers>,

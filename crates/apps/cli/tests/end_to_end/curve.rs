@@ -86,7 +86,9 @@ fn lists_may_be_repeated_or_joined() {
     let asked = "curve scene.toml --model ke --quantity area --load";
     assert_eq!(bench.data(&format!("{asked} 1,5e2")), bench.data(&format!("{asked} 1,500")));
     let by_default = bench.data("curve scene.toml --separation 2");
-    assert_eq!(bench.data("curve scene.toml --separation 2 --model all"), by_default);
+    assert_eq!(cells(&by_default, "model"), ["best", "jg"]);
+    let all = bench.data("curve scene.toml --separation 2 --model all");
+    assert_eq!(cells(&all, "model").len(), 9);
 }
 
 #[test]

@@ -224,8 +224,8 @@ impl SceneFile {
         scenes.call1((slf, columns.unwrap_or(&PyDict::new(slf.py()))))
     }
 
-    /// The scene with every number that is known within a range at its "lower" or "upper" end, or in
-    /// the "middle", where answers in single numbers are calculated.
+    /// The scene with every number that is known within a range at its "lower" or "upper" end, or
+    /// in the "middle", where answers in single numbers are calculated.
     fn at(&self, end: &str) -> PyResult<Self> {
         Ok(Self(Arc::new(self.0.taken_at(end).map_err(value_error)?.0)))
     }

@@ -14,7 +14,8 @@ pub type SumOfContacts = fn(Law, &Asperity) -> Result<Law, ContactError>;
 /// A model of rough surfaces in contact.
 ///
 /// Every [`AsperityModel`] is one. A model that is not an average over heights (a closed form, a
-/// theory of the whole surface, a table) implements this trait and [`ContactEngine`](crate::ContactEngine).
+/// theory of the whole surface, a table) implements this trait and
+/// [`ContactEngine`](crate::ContactEngine).
 pub trait ContactModel: Described {
     /// The laws of one contact that it averages over heights, if there are any.
     fn asperity_model(&self) -> Option<&dyn AsperityModel> {
