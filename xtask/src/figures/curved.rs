@@ -41,7 +41,7 @@ pub fn table() -> Result<Table> {
 pub fn style(_: &str) -> Result<Figure> {
     let all = [curves(&CURVES[..3])?, named(&OTHERS)].concat();
     let shown = |label, key, title, range: [f64; 2], curves: &[Curve]| {
-        let x = Axis::new("alpha", "α = σ/(approach of smooth bodies)").log();
+        let x = Axis::new("alpha", "roughness α").log();
         let y = Axis::new("ratio", label).range(range[0], range[1]);
         let mut panel = of("panel", key, title, panel(&x, y, curves));
         panel.horizontals = vec![Mark::new(1.0, "")];

@@ -5,7 +5,6 @@ use std::path::Path;
 use anyhow::{Context, Error, Result};
 use asperity::bem::{Bem, BemOptions, Continuation};
 use asperity::{Code, Described, Finding, Findings, Model, Severity, Tolerance};
-pub use asperity_answer::ALL_MODELS;
 use asperity_answer::{
     AnswerError, Sheet, Subject, one_model, one_or_usual, scene_findings, use_asperities,
 };
