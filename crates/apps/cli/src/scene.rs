@@ -33,9 +33,7 @@ impl LoadedScene {
     /// Reads the file for these models, and reports what is unusual; on its asperities only if one
     /// of the models uses asperities; otherwise a scan needs none.
     pub fn load(path: &Path, ids: &[String]) -> Result<Self> {
-        let scene = Self::load_pressing(path, ids, BemOptions::default())?;
-        scene.file.need_flat()?;
-        Ok(scene)
+        Self::load_pressing(path, ids, BemOptions::default())?.flat()
     }
 
     /// The same with these options of boundary elements before the scene's.
@@ -57,6 +55,12 @@ impl LoadedScene {
         let scene = Self { file, name: path.display().to_string() }.kept()?;
         scene.report_scene(asperities);
         Ok(scene)
+    }
+
+    /// Refuses curved bodies.
+    pub fn flat(self) -> Result<Self> {
+        self.file.need_flat()?;
+        Ok(self)
     }
 
     /// The scene at one end of its ranges, which a note names.
