@@ -47,7 +47,7 @@ def check(path: Path, heights: Floats, dx: float, dy: float, rtol: float = 1e-6)
     packed = path.with_name(path.name + ".gz")
     packed.write_bytes(gzip.compress(path.read_bytes()))
     for file in (path, packed):
-        found = asperity.read(file, max_missing=1.0)
+        found = asperity.read(file, max_missing=1.0, missing=np.nan)
         scale = np.nanmax(np.abs(heights))
         np.testing.assert_allclose(found.heights, heights, rtol=0, atol=rtol * scale)
         np.testing.assert_allclose(found.pixel_size, (dx, dy), rtol=1e-6)
@@ -150,7 +150,7 @@ def test_sur_files_of_rosettasciio(
     writer(str(path), signal, compressed=compressed)
     # The datum of the heights is not part of the format as programs read it.
     for number in (1, 2) if several else (1,):
-        found = asperity.read(path, channel=str(number))
+        found = asperity.read(path, channel=str(number), missing=np.nan)
         expected = 1e-6 * data[number - 1]
         difference = found.heights - expected
         np.testing.assert_allclose(difference, difference.mean(), rtol=0, atol=1e-11)
