@@ -36,7 +36,7 @@ const USUAL: [Usual; 18] = [
         1e-6,
         "m",
     ),
-    (&["asperity_radius"], [2e-9, 1e-2], 1e-4, "m"),
+    (&["asperity_radius"], [2e-9, 0.015], 1e-4, "m"),
     (&["asperity_density"], [5e3, 1e16], 1e9, "1/m2"),
     (&["spd"], [1e6, 1e16], 1e9, "1/m2"),
     (&["spc"], [100.0, 5e8], 5e3, "1/m"),
