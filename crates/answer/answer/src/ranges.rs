@@ -68,6 +68,19 @@ impl Ends<'_> {
         all.map(|sheet| sheet.rows[row].get(column)?.number()).collect()
     }
 
+    /// An end of what is known: of the interval of an answer at each point and, where it has none,
+    /// of the answer.
+    fn end(&self, sheet: &Sheet, (row, column): (usize, usize), end: usize) -> Option<f64> {
+        let is_own = |head: &String| column_of_end(head, ENDS[end]) == sheet.heads[column];
+        let value = sheet.heads.iter().position(is_own)?;
+        let number = |sheet: &Sheet| {
+            let cells = &sheet.rows[row];
+            cells.get(column)?.number().or(cells.get(value)?.number())
+        };
+        let all: Option<Vec<f64>> = self.sheets.iter().chain([sheet]).map(number).collect();
+        all.map(|all| if end == 0 { least(&all) } else { most(&all) })
+    }
+
     /// Adds the ends of every column of answers, and of places whose numbers differ.
     fn add_columns(&self, sheet: &mut Sheet) {
         let differs = |column: &usize| {
@@ -93,12 +106,12 @@ impl Ends<'_> {
         // From the last, so that the places of the others stay.
         for column in columns.into_iter().rev() {
             for row in 0..sheet.rows.len() {
-                let ends = self.numbers(sheet, row, column).map(|all| [least(&all), most(&all)]);
-                let cell = &mut sheet.rows[row][column];
                 if let Some(end) = of_interval(&sheet.heads[column]) {
-                    *cell = ends.map(|ends| ends[end]).into();
+                    sheet.rows[row][column] = self.end(sheet, (row, column), end).into();
                     continue;
                 }
+                let ends = self.numbers(sheet, row, column).map(|all| [least(&all), most(&all)]);
+                let cell = &mut sheet.rows[row][column];
                 if ends.is_none() && cell.number().is_some() {
                     *cell = Cell::BLANK;
                     blank += 1;

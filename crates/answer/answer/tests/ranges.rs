@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use asperity::{At, Quantity, Request, Separation};
+use asperity::{At, ContactModel, Quantity, Request, Separation};
 use asperity_answer::{AnswerError, Inquiry, Sheet, Silent, models, with_ranges};
 use asperity_scene::{SceneFile, parse};
 
@@ -254,4 +254,19 @@ fn a_finding_at_an_end_names_it() {
         origin.starts_with("at the lower end of hardness")
     });
     assert!(found.is_some(), "{:?}", sheet.findings);
+}
+
+/// The interval of an answer is part of its range, and where it has none the range stands alone.
+#[test]
+fn what_is_known_best_has_ends_on_a_surface_of_ranges() {
+    for (hardness, has_interval) in [(2e9, false), (8e9, true)] {
+        let file = finished("ground", 0.8, hardness);
+        let ([value, lower, upper], _) = ends(&file, "best", Quantity::Tangent);
+        assert!(lower < value && value < upper, "{hardness:e}: {lower:e} {value:e} {upper:e}");
+        let middle = file.middle().unwrap();
+        let contact = middle.best().contact(&middle.scene, &Request::new([Quantity::Tangent]));
+        let own = contact.unwrap().interval(Quantity::Tangent, At::Pressure(PRESSURE));
+        assert_eq!(own.is_some(), has_interval, "{hardness:e}");
+        assert!(own.is_none_or(|own| lower <= own.lower && own.upper <= upper), "{hardness:e}");
+    }
 }
