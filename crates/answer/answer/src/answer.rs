@@ -187,7 +187,7 @@ fn also(best: &BestContact<Model>, at: At) -> String {
 /// The solutions of boundary elements on the scan of a scene at these loads: an input of answers.
 ///
 /// # Errors
-/// Those of boundary elements.
+/// The errors of boundary elements.
 pub fn solve(file: &SceneFile, at: &[At], watch: &dyn Watch) -> Outcome<Vec<SolvedContact>> {
     let pressures: Vec<f64> = at.iter().filter_map(|at| at.pressure(&file.scene)).collect();
     let bem = file.bem()?;

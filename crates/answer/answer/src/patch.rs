@@ -14,7 +14,7 @@ const LEAST: f64 = 1e-6;
 /// patch, beside Hertz' pressure, to be drawn.
 ///
 /// # Errors
-/// Flat bodies, and those of the contact. Without a shear modulus the flexibility is blank.
+/// Flat bodies, and the errors of the contact. Without a shear modulus the flexibility is blank.
 pub fn patch(
     file: &SceneFile,
     id: &str,

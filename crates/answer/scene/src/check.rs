@@ -131,7 +131,7 @@ impl SceneFile {
     /// that follow from these.
     ///
     /// # Errors
-    /// Those of [`Check::at`].
+    /// The errors of [`Check::at`].
     pub fn check(&self, place: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
         if !self.unknowns().is_empty() {
             return self.check_ranges(place);

@@ -303,7 +303,7 @@ impl Drawing {
     /// The warnings of numbers that contradict each other.
     ///
     /// # Errors
-    /// Those of [`unknowns`](Self::unknowns).
+    /// The errors of [`unknowns`](Self::unknowns).
     pub(crate) fn warnings(&self, place: impl Fn(&str) -> String) -> Found<Vec<Finding>> {
         let height = self.height()?;
         let cut_offs = self.cut_offs(&height)?;

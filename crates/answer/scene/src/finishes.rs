@@ -87,7 +87,7 @@ impl Range {
     /// times the cut-off of the other.
     ///
     /// # Errors
-    /// Those of [`of_finish`](Self::of_finish).
+    /// The errors of [`of_finish`](Self::of_finish).
     pub(crate) fn slopes(
         finish: Option<&str>,
         short_cut: f64,

@@ -134,7 +134,7 @@ impl SceneFile {
     /// `progress` is called before every evaluation and may end the fit.
     ///
     /// # Errors
-    /// Those of [`free_parameters`](Self::free_parameters) and [`inputs`](Self::inputs);
+    /// The errors of [`free_parameters`](Self::free_parameters) and [`inputs`](Self::inputs);
     /// [`SceneError::Fit`] for data that the model does not have, and where `progress` ended it.
     pub fn fit(
         &self,
@@ -171,7 +171,7 @@ impl SceneFile {
     /// has no value.
     ///
     /// # Errors
-    /// Those of [`inputs`](Self::inputs) and [`with_inputs`](Self::with_inputs).
+    /// The errors of [`inputs`](Self::inputs) and [`with_inputs`](Self::with_inputs).
     pub fn fitted_values(
         &self,
         model: &Model,

@@ -115,7 +115,7 @@ impl MeasuredKeys {
     /// The scan without outliers, if they are replaced.
     ///
     /// # Errors
-    /// Those of [`Topography::despiked`].
+    /// The errors of [`Topography::despiked`].
     pub fn clean(&self, read: Topography) -> Result<Topography, TopographyError> {
         let read = read.with_periodic(self.periodic);
         if self.despike { read.despiked() } else { Ok(read) }
@@ -124,7 +124,7 @@ impl MeasuredKeys {
     /// A clean scan levelled, filled and filtered.
     ///
     /// # Errors
-    /// Those of these steps.
+    /// The errors of these steps.
     pub fn prepare(&self, clean: Topography) -> Result<Topography, TopographyError> {
         let mut topography = clean.levelled(self.level)?;
         if self.fill_missing {

@@ -27,7 +27,7 @@ impl SceneFile {
     /// the scene's scan. The gaps of `persson` follow from the spectrum of that scan.
     ///
     /// # Errors
-    /// [`SceneError::Refused`] for an unknown id, with a near match and all ids; those of
+    /// [`SceneError::Refused`] for an unknown id, with a near match and all ids; the errors of
     /// [`bem`](Self::bem).
     pub fn model(&self, id: &str) -> Result<Model, SceneError> {
         self.model_with(&self.spec.options, id)
@@ -36,7 +36,7 @@ impl SceneFile {
     /// [`model`](Self::model) with these options instead of the scene's.
     ///
     /// # Errors
-    /// Those of [`model`](Self::model).
+    /// The errors of [`model`](Self::model).
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
         match id.trim().to_lowercase().as_str() {
             Bem::ID => Ok(Model::new(self.pressed(options.bem())?)),

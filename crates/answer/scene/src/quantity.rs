@@ -58,7 +58,7 @@ pub fn quantity(text: &str, si: &str) -> Result<f64, String> {
 /// keys without a unit.
 ///
 /// # Errors
-/// Those of [`quantity`]; of the keys, only `hardness` takes `120 HV`, `58 HRC` and `200 HB`.
+/// The errors of [`quantity`]; of the keys, only `hardness` takes `120 HV`, `58 HRC` and `200 HB`.
 pub fn quantity_of(key: &str, text: &str) -> Result<f64, String> {
     match unit_of(key) {
         Some(si) => number_in(text, si, key).map_err(|hint| format!("{text:?} {hint}")),

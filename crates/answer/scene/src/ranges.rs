@@ -233,7 +233,7 @@ impl SceneFile {
     /// The scene in the middle of its ranges.
     ///
     /// # Errors
-    /// Those of [`at`](Self::at).
+    /// The errors of [`at`](Self::at).
     pub fn middle(&self) -> Result<Self, ContactError> {
         match self.unknowns().len() {
             0 => Ok(self.clone()),

@@ -39,7 +39,7 @@ pub fn load(path: impl AsRef<Path>) -> Result<SceneFile, SceneError> {
 /// `periodic` the scan is declared periodic, whatever the file says.
 ///
 /// # Errors
-/// Those of [`load`], except that of a scan without asperities.
+/// The errors of [`load`], except that of a scan without asperities.
 pub fn load_scan(path: impl AsRef<Path>, periodic: bool) -> Result<SceneFile, SceneError> {
     load_with(path.as_ref(), Asked::Scan { periodic })
 }
@@ -79,7 +79,7 @@ fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
 /// ```
 ///
 /// # Errors
-/// Those of [`load`], without a file's name.
+/// The errors of [`load`], without a file's name.
 pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
     scene_file(&Document::new(None, Files::In(directory), text)?, Asked::Asperities)
 }
@@ -88,7 +88,7 @@ pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
 /// system, as in a browser.
 ///
 /// # Errors
-/// Those of [`parse`]; [`SceneError::Unreadable`] for a file that is not among `files`.
+/// The errors of [`parse`]; [`SceneError::Unreadable`] for a file that is not among `files`.
 pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneError> {
     scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
 }

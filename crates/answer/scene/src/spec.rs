@@ -135,7 +135,7 @@ impl Bodies {
     /// The properties of both together.
     ///
     /// # Errors
-    /// Those of [`interface_of`].
+    /// The errors of [`interface_of`].
     pub fn interface(&self) -> Result<Interface, ContactError> {
         match self {
             Self::Each { bodies, work_of_adhesion, .. } => {

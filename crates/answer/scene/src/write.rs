@@ -90,7 +90,7 @@ impl SceneFile {
     /// Writes [`to_toml`](Self::to_toml) to a file and returns the text.
     ///
     /// # Errors
-    /// Those of [`to_toml`](Self::to_toml), and [`SceneError::Unwritable`] with the system's
+    /// The errors of [`to_toml`](Self::to_toml), and [`SceneError::Unwritable`] with the system's
     /// reason.
     pub fn save(&self, path: &Path, comments: &[&str]) -> Result<String, SceneError> {
         let text = self.to_toml(comments)?;
@@ -103,7 +103,7 @@ impl SceneFile {
     /// `surface`, `options`, `accept`.
     ///
     /// # Errors
-    /// Those of [`parse`](crate::parse), without lines.
+    /// The errors of [`parse`](crate::parse), without lines.
     pub fn with_keys(bodies: &Bodies, nominal_area: f64, keys: Table) -> Result<Self, SceneError> {
         let mut top = bodies.keys();
         top.insert("nominal_area".into(), nominal_area.into());

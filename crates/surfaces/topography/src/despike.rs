@@ -58,7 +58,7 @@ impl Topography {
     /// [`despiked_points`](Self::despiked_points) counts them.
     ///
     /// # Errors
-    /// Those of [`fill`](Self::fill), for the outliers alone;
+    /// The errors of [`fill`](Self::fill), for the outliers alone;
     /// [`TopographyError::Filtered`] for a filtered surface, in which outliers are spread.
     pub fn despiked(mut self) -> Result<Self, TopographyError> {
         if self.outliers.is_some() {

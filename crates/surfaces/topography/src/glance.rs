@@ -73,7 +73,7 @@ impl Glance {
     /// made from. `cutoffs` are those of the Gaussian filters \[m\]: short (S) and long (L).
     ///
     /// # Errors
-    /// Those of [`Topography::parameters`], and of [`Topography::level`] for the raw scan.
+    /// The errors of [`Topography::parameters`], and of [`Topography::level`] for the raw scan.
     pub fn new(
         raw: &Topography,
         level: Level,

@@ -54,7 +54,7 @@ impl Topography {
     /// The surface [levelled](Self::level) by `level`, by default the [usual](Level::usual) one.
     ///
     /// # Errors
-    /// Those of [`level`](Self::level).
+    /// The errors of [`level`](Self::level).
     pub fn levelled(self, level: Option<Level>) -> Result<Self, TopographyError> {
         let level = level.unwrap_or(Level::usual(self.is_periodic()));
         self.level(level)

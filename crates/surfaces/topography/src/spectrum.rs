@@ -55,7 +55,7 @@ impl Topography {
     /// its round window. Missing points are [filled](Self::fill) first.
     ///
     /// # Errors
-    /// Those of [`fill`](Self::fill); [`TopographyError::TooLarge`] above 2²⁴ points;
+    /// The errors of [`fill`](Self::fill); [`TopographyError::TooLarge`] above 2²⁴ points;
     /// [`TopographyError::Flat`] when all heights are equal; [`TopographyError::TooFew`] below four
     /// points along a row, or along a column.
     pub fn spectra(&self) -> Result<Spectra, TopographyError> {

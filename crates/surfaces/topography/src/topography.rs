@@ -89,7 +89,7 @@ impl Topography {
     /// [`new`](Self::new), from heights and distances in another unit.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn in_unit(
         heights: Vec<f64>,
         columns: usize,

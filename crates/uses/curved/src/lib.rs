@@ -59,7 +59,7 @@ const FINEST: f64 = 1e-8;
 /// The tolerance where the default one is asked for, which would take ten times as long.
 const USUAL: f64 = 1e-6;
 /// The largest number of points along a side.
-const MOST: usize = 2048;
+const MOST: usize = 768;
 
 /// The undeformed bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -180,11 +180,16 @@ impl Curved {
     /// The contact at a load \[N\].
     ///
     /// # Errors
-    /// A load that is not above 0, a model whose pressure rises with the separation or does not
+    /// A load that is not above 0 or under which the roughness does not matter, a model whose pressure rises with the separation or does not
     /// vanish beside the patch, and a search that does not converge.
     pub fn at_load(&self, load: f64) -> Result<Solution<'_>, ContactError> {
         above_zero("load", load)?;
         let hertz = Hertz::new(&self.shape, self.layer.modulus, load);
+        if self.points(&hertz) > MOST {
+            return refused(
+                "the bodies approach by more than 2000 times the roughness: take them as smooth, by Hertz",
+            );
+        }
         let mut wider = 1.0;
         loop {
             let state = self.solve(&hertz, load, wider)?;
@@ -265,7 +270,8 @@ impl Curved {
             Shape::Line { radius, .. } => self.layer.sigma * radius / hertz.axes[0].powi(2),
         };
         let of_length = (12.0 - 2.2 * (self.tolerance.log10() + 6.0)).max(6.0);
-        let n = (of_length / alpha.sqrt()).max(2.6 * of_length).min(MOST as f64);
+        // Infinitely many of smooth bodies.
+        let n = (of_length / alpha.sqrt()).max(2.6 * of_length).min(2.0 * MOST as f64);
         quick(n.ceil() as usize)
     }
 

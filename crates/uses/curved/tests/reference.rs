@@ -291,6 +291,8 @@ fn what_cannot_be_is_refused() {
         let refused = curved.at_load(load).unwrap_err();
         assert!(matches!(refused, ContactError::OutOfRange { field: "load", .. }), "{refused}");
     }
+    // Smooth bodies would take a grid without end.
+    assert!(matches!(curved.at_load(1e12), Err(ContactError::Refused { .. })));
     let scene = Scene::new(Interface::new(1e11, 0.3, 4e9), Surface::new(1e-4, 1e9, 1e-6), 1.0);
     let shape = Shape::Point { radius_x: -0.01, radius_y: 0.01 };
     let tolerance = Tolerance::new(1e-6).unwrap();

@@ -204,7 +204,7 @@ impl<M: Answering> BestContact<M> {
     /// or a model.
     ///
     /// # Errors
-    /// Those of the models, if none has a value.
+    /// The errors of the models, if none has a value.
     pub fn known(&self, of: Compared, at: At) -> Result<Known, ContactError> {
         let place = self.place(at);
         if let Some(pressure) = place.pressure {

@@ -125,7 +125,7 @@ impl Check {
     /// has. All other numbers are those of one surface.
     ///
     /// # Errors
-    /// Those of [`of`](Self::of).
+    /// The errors of [`of`](Self::of).
     fn of_contacts(scene: &Scene, contacts: &Scene) -> Result<Self, ContactError> {
         let asperity = contacts.asperity()?;
         let is_of_pair = contacts.surface != scene.surface;

@@ -63,7 +63,7 @@ impl Evidence {
     /// The committed evidence.
     ///
     /// # Errors
-    /// Those of [`parse`](Self::parse).
+    /// The errors of [`parse`](Self::parse).
     pub fn committed() -> Result<&'static Self, ContactError> {
         static READ: OnceLock<Result<Evidence, ContactError>> = OnceLock::new();
         READ.get_or_init(|| Self::parse(Self::CSV)).as_ref().map_err(Clone::clone)

@@ -55,7 +55,7 @@ pub(crate) type Lacking = Vec<(Quantity, ContactError)>;
 /// `compile` makes it for some of them. Without any, it is made for those `otherwise`.
 ///
 /// # Errors
-/// Those of the model for all quantities, if it has none and there is nothing otherwise.
+/// The errors of the model for all quantities, if it has none and there is nothing otherwise.
 pub fn compile_known(
     quantities: &[Quantity],
     otherwise: &[Quantity],
