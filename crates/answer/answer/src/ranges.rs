@@ -151,12 +151,6 @@ impl Ends<'_> {
         let found = found.flat_map(|(k, one)| one.findings.iter().map(move |found| (k, found)));
         let new = self.points.worst(&sheet.findings, found);
         sheet.findings.extend(new);
-        // The first result is the verdict of a recommendation.
-        let own = sheet.results.first().cloned();
-        let mut others = self.sheets.iter().filter_map(|end| end.results.first());
-        if let Some(other) = others.find(|other| Some(*other) != own.as_ref()) {
-            sheet.result(format!("elsewhere in the ranges: {other}"));
-        }
         let unknowns = &self.points.unknowns;
         let columns =
             sheet.heads.iter().enumerate().filter_map(|(column, head)| {
@@ -185,7 +179,7 @@ impl Ends<'_> {
         let shares = shares.collect::<Vec<_>>().join("; ");
         let Unknown { name, narrowed, .. } = &unknowns[k];
         sheet.result(format!(
-            "known, with the shares of the unknowns: {shares}; {narrowed} would narrow {name}, the widest"
+            "by the ranges of the scene, with the share of each: {shares}; {narrowed} would narrow {name}, the widest"
         ));
         let spec = &self.file.spec;
         let mut surfaces = [Some(&spec.surface), spec.counterface.as_ref()].into_iter().flatten();

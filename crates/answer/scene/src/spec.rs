@@ -30,7 +30,7 @@ pub struct SceneSpec {
     pub surface: SurfaceSpec,
     /// The second rough surface.
     pub counterface: Option<SurfaceSpec>,
-    /// Whether there was said to be none.
+    /// Whether `counterface = "smooth"` is written.
     pub(crate) is_smooth: bool,
     /// What boundary elements press where that is not the scan of `surface`: the sum of two aligned
     /// scans, or a scan beside asperities.

@@ -85,7 +85,7 @@ fn way(
 pub(crate) struct Surfaces {
     pub(crate) first: SurfaceSpec,
     pub(crate) second: Option<SurfaceSpec>,
-    /// Whether the other surface was said to be smooth.
+    /// Whether `counterface = "smooth"` is written.
     pub(crate) is_smooth: bool,
     pub(crate) scans: Option<Scans>,
 }

@@ -5,8 +5,9 @@
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Unknown {
-    /// Its name, as that of an [input](crate::SceneFile::inputs): `body1_hardness`, `counterface_rq`. The
-    /// `mean_slope` of a finish is that of the isotropic surface with the same rms gradient.
+    /// Its name, as that of an [input](crate::SceneFile::inputs): `body1_hardness`,
+    /// `counterface_rq`. The `mean_slope` of a finish is that of the isotropic surface with the
+    /// same rms gradient.
     pub name: String,
     /// Lower and upper end, in SI units.
     pub ends: [f64; 2],

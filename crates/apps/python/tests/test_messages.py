@@ -25,7 +25,7 @@ NAMES = {
 }
 
 
-def told(call: str) -> str:
+def message_of(call: str) -> str:
     """The call, and its exception and warnings, a line each."""
     with warnings.catch_warnings(record=True) as seen:
         warnings.simplefilter("always")

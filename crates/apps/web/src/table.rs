@@ -18,9 +18,10 @@ pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Resu
         TableFormat::Csv => "csv",
         _ => "inp",
     };
-    Ok(
-        json!({ "name": format!("{id}-{form}.{extension}"), "text": text(file, id, format, units)? }),
-    )
+    // Of ranges, tables are in the middle.
+    let place = if file.unknowns().is_empty() { "" } else { "-middle" };
+    let name = format!("{id}-{form}{place}.{extension}");
+    Ok(json!({ "name": name, "text": text(file, id, format, units)? }))
 }
 
 /// Why models have no table in a form, by id; nothing for those that have one.
@@ -94,6 +95,8 @@ mod tests {
                     assert_eq!(found[id].is_null(), made.is_ok(), "{id} {form}: {found}");
                 }
                 assert!(found["ke"].is_null(), "{form}: {found}");
+                let name = table(&file, "ke", form, "SI").unwrap()["name"].to_string();
+                assert_eq!(name.contains("-middle"), text == ranges, "{name}");
             }
         }
     }

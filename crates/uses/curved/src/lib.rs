@@ -180,8 +180,9 @@ impl Curved {
     /// The contact at a load \[N\].
     ///
     /// # Errors
-    /// A load that is not above 0 or under which the roughness does not matter, a model whose pressure rises with the separation or does not
-    /// vanish beside the patch, and a search that does not converge.
+    /// A load that is not above 0 or under which the roughness does not matter, a model whose
+    /// pressure rises with the separation or does not vanish beside the patch, and a search that
+    /// does not converge.
     pub fn at_load(&self, load: f64) -> Result<Solution<'_>, ContactError> {
         above_zero("load", load)?;
         let hertz = Hertz::new(&self.shape, self.layer.modulus, load);

@@ -93,9 +93,8 @@ fn grid_is_nearest(found: &[Truth], quantity: Compared) -> bool {
     grid.zip(nearest).is_some_and(|(grid, nearest)| grid < nearest)
 }
 
-/// Whether what was solved on the scan of a scene lies in the intervals of solved surfaces, a line
-/// for each quantity; or why there is no interval. Loads that few pixels or patches carry do not
-/// count.
+/// Whether solutions on the scan of a scene lie in the intervals of solved surfaces, a line for
+/// each quantity; or why there is no interval. Loads that few pixels or patches carry do not count.
 #[must_use]
 pub fn beside_table(file: &SceneFile, found: &[Truth]) -> Vec<String> {
     let resolved = found.iter().filter(|truth| !truth.has_note(&FEW) && !truth.has_note(&COARSE));

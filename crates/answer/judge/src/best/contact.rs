@@ -160,7 +160,7 @@ impl<M: Answering> BestContact<M> {
         place.expected.is_ok().then_some(uncertain)
     }
 
-    /// Whether what was solved on the scan is the answer at this place.
+    /// Whether the answer at this place is a solution on the scan.
     #[must_use]
     pub fn is_solved(&self, at: At) -> bool {
         let known = self.known(Compared::Area, at);

@@ -25,7 +25,7 @@ fn ranges(file: &SceneFile) -> [[f64; 3]; 3] {
     [all[0], all[1], all[2]]
 }
 
-/// The names of what is open, and of each the ratio of its ends.
+/// The unknowns with the ratios of their ends.
 fn open(file: &SceneFile) -> Vec<(String, f64)> {
     let all = file.unknowns().into_iter();
     all.map(|one| (one.name, one.ends[1] / one.ends[0])).collect()
