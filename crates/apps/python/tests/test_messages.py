@@ -41,7 +41,7 @@ def message_of(call: str) -> str:
 def test_messages_are_those_that_were_read() -> None:
     text = FILE.read_text(encoding="utf-8")
     calls = [line[4:] for line in text.splitlines() if line.startswith(">>> ")]
-    found = "\n\n".join(map(told, calls)) + "\n"
+    found = "\n\n".join(map(message_of, calls)) + "\n"
     if os.environ.get("ASPERITY_BLESS"):
         FILE.write_text(found, encoding="utf-8")
     assert found == FILE.read_text(encoding="utf-8")
