@@ -34,8 +34,8 @@ test("the first screen", async () => {
     await page.run(`scrollTo(0, 0)`);
     const [load, answer, curve, contact, inputs] = await boxes("load-bar", "answer", "curve", "contact", "inputs");
     assert.ok(load.top < 70 && load.height < 60, `load ${load.top} ${load.height}`);
-    assert.ok(answer.top < 120 && answer.bottom < 280, `answer ${answer.top} ${answer.bottom}`);
-    assert.ok(curve.top < 300 && curve.height <= 0.45 * high, `plot ${curve.top} ${curve.height}`);
+    assert.ok(answer.top < 120 && answer.bottom < 260, `answer ${answer.top} ${answer.bottom}`);
+    assert.ok(curve.top < 270 && curve.height <= 0.45 * high, `plot ${curve.top} ${curve.height}`);
     assert.ok(contact.top === curve.top && contact.left > curve.right && inputs.right < load.left && inputs.bottom <= high);
     const rows = await page.run(`return [...document.querySelectorAll("#answers tbody tr")].slice(0, 5).map((row) => row.getBoundingClientRect().bottom)`);
     assert.ok(rows.length === 5 && rows[4] < high, `${rows} of ${high} px`);

@@ -10,11 +10,11 @@ export function answer(found, isExample) {
     element("dt", {}, name), element("dd", {}, element("b", { data }, shown), element("small", {}, more)));
   $("answer").querySelector("dl").replaceChildren(...(found ? [
     ...found.first.map((one) => part(one.name, attributes(one, "answer"), one.shown, one.by)),
-    part("model to use", {}, found.model || "none", found.basis),
+    part("model to use", {}, found.model || "none", found.also),
   ] : PARTS.map((name) => part(name, {}, "–", ""))));
   const [example, basis] = $("basis").children;
   basis.textContent = found?.basis ?? "";
-  basis.title = [found?.basis, found?.also].filter(Boolean).join("; also: ");
+  basis.title = found?.basis ?? "";
   example.textContent = found && isExample ? `An example surface (${found.surface}).` : "";
 }
 
