@@ -15,32 +15,19 @@
 use std::f64::consts::PI;
 
 use crate::request::quantity_table::InterfaceProperty;
-use crate::{ContactError, Formula, Interface, Law, Power, Quantity};
+use crate::{Body, ContactError, Formula, Interface, Law, Power, Quantity};
 
 impl InterfaceProperty {
-    /// The property, as in scene files.
-    pub(crate) fn field(self) -> &'static str {
-        match self {
-            Self::Modulus => "equivalent_modulus",
-            Self::ShearModulus => "equivalent_shear_modulus",
-            Self::ThermalConductivity => "thermal_conductivity",
-            Self::ElectricalResistivity => "electrical_resistivity",
-        }
-    }
-
     /// The factor of S in `quantity`: 2 E, 8 G, 2 k or 2/ρ.
     pub(crate) fn on(self, interface: &Interface, quantity: Quantity) -> Result<f64, ContactError> {
-        let either = " (that of the interface, or those of both bodies)";
-        let (factor, whose) = match self {
-            Self::Modulus => (Some(2.0 * interface.equivalent_modulus), ""),
-            Self::ShearModulus => (interface.equivalent_shear_modulus.map(|g| 8.0 * g), ""),
-            Self::ThermalConductivity => (interface.thermal_conductivity.map(|k| 2.0 * k), either),
-            Self::ElectricalResistivity => {
-                (interface.electrical_resistivity.map(|rho| 2.0 / rho), either)
-            }
-        };
-        let reason = || format!("{quantity}{whose} needs it");
-        factor.ok_or_else(|| ContactError::Missing { field: self.field(), reason: reason() })
+        let Self(field, factor) = self;
+        factor(interface).ok_or_else(|| {
+            let whose = match Body::NUMBERS.iter().any(|number| number.name == field) {
+                true => " (that of the interface, or those of both bodies)",
+                false => "",
+            };
+            ContactError::Missing { field, reason: format!("{quantity}{whose} needs it") }
+        })
     }
 }
 

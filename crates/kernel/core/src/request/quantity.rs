@@ -118,7 +118,7 @@ impl Quantity {
     /// conductance of a joint.
     #[must_use]
     pub fn property(self) -> Option<&'static str> {
-        self.interface_property().map(InterfaceProperty::field)
+        self.interface_property().map(|property| property.0)
     }
 
     /// Whether the quantity is of flows through a map of the gap, which boundary elements have and

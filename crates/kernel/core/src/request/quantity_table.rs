@@ -2,17 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::Regime;
+use crate::{Interface, Regime};
 
-/// A property of the interface that turns the sum of the contact radii into a stiffness or a
-/// conductance.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum InterfaceProperty {
-    Modulus,
-    ShearModulus,
-    ThermalConductivity,
-    ElectricalResistivity,
-}
+/// A property of the interface by its name, and the factor of the sum of the contact radii in a
+/// stiffness or a conductance, if it is set.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct InterfaceProperty(
+    pub(crate) &'static str,
+    pub(crate) fn(&Interface) -> Option<f64>,
+);
 
 /// How a quantity follows from the laws of one asperity.
 #[derive(Debug, Clone, Copy)]
@@ -162,27 +160,29 @@ quantities! {
     UnloadingStiffness {
         name: "unloading-stiffness", symbol: "K_u", unit: "N/m", label: "unloading stiffness",
         definition: "Stiffness at the start of elastic unloading, 2 E times the sum of contact radii.",
-        derivation: Derivation::ContactRadii(InterfaceProperty::Modulus),
+        derivation: Derivation::ContactRadii(InterfaceProperty("equivalent_modulus", |of| Some(2.0 * of.equivalent_modulus))),
     }
     /// Needs the equivalent shear modulus.
     TangentialStiffness {
         name: "tangential-stiffness", symbol: "K_t", unit: "N/m", label: "tangential stiffness",
         definition: "Tangential stiffness in full stick (Mindlin), 8 G times the sum of contact radii.",
-        derivation: Derivation::ContactRadii(InterfaceProperty::ShearModulus),
+        derivation: Derivation::ContactRadii(InterfaceProperty("equivalent_shear_modulus", |of| {
+            Some(8.0 * of.equivalent_shear_modulus?)
+        })),
     }
     /// Needs the thermal conductivity.
     ThermalConductance {
         name: "thermal-conductance", symbol: "C_t", unit: "W/K", label: "thermal conductance",
         definition: "Thermal conductance of contacts far from each other, 2 k times the sum of \
             contact radii.",
-        derivation: Derivation::ContactRadii(InterfaceProperty::ThermalConductivity),
+        derivation: Derivation::ContactRadii(InterfaceProperty("thermal_conductivity", |of| Some(2.0 * of.thermal_conductivity?))),
     }
     /// Needs the electrical resistivity.
     ElectricalConductance {
         name: "electrical-conductance", symbol: "C_e", unit: "S", label: "electrical conductance",
         definition: "Electrical conductance of contacts far from each other, 2/rho times the sum of \
             contact radii.",
-        derivation: Derivation::ContactRadii(InterfaceProperty::ElectricalResistivity),
+        derivation: Derivation::ContactRadii(InterfaceProperty("electrical_resistivity", |of| Some(2.0 / of.electrical_resistivity?))),
     }
     ThermalConductancePerArea {
         name: "thermal-conductance-per-area", symbol: "C_t/A_n", unit: "W/m2/K",
