@@ -305,10 +305,10 @@ impl FromStr for Model {
         if let Some(model) = models.iter().find(|m| m.id() == wanted) {
             return Ok(model.clone());
         }
-        Err(ContactError::UnknownModel {
-            name: name.into(),
-            near: nearest_name(&wanted, models.iter().map(|m| m.id())).map(Into::into),
-        })
+        let near = nearest_name(&wanted, models.iter().map(|m| m.id())).map(Into::into);
+        let help = if near.is_none() { ": see the list of models" } else { "" };
+        let (what, name, help) = ("model", name.into(), help.into());
+        Err(ContactError::UnknownName { what, name, near, help })
     }
 }
 
@@ -380,7 +380,7 @@ mod tests {
     #[test]
     fn far_names_get_no_guess() {
         let near = |name: &str| match name.parse::<Model>() {
-            Err(crate::ContactError::UnknownModel { near, .. }) => near,
+            Err(crate::ContactError::UnknownName { near, .. }) => near,
             other => panic!("{other:?}"),
         };
         assert_eq!(near("westergaard"), None);
