@@ -6,8 +6,8 @@ use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity_core::{
-    At, Citation, Code, Contact, ContactEngine, ContactError, ContactModel, Datum, Described,
-    Evaluation, Finding, Quantity, Request, Scene, Separation, SeparationUnit, Validity,
+    At, Code, Contact, ContactEngine, ContactError, ContactModel, Datum, Described, Evaluation,
+    Finding, Quantity, Request, Scene, Separation, SeparationUnit, Wraps,
 };
 
 use crate::{Curved, Shape, Solution};
@@ -51,25 +51,9 @@ impl BetweenCurved {
     }
 }
 
-impl Described for BetweenCurved {
-    fn citation(&self) -> &Citation {
-        self.model.citation()
-    }
-
-    fn id(&self) -> &str {
-        self.model.id()
-    }
-
-    fn name(&self) -> &str {
-        self.model.name()
-    }
-
-    fn variant(&self) -> Vec<&'static str> {
-        self.model.variant()
-    }
-
-    fn validity(&self) -> Validity {
-        self.model.validity()
+impl Wraps for BetweenCurved {
+    fn inner(&self) -> &dyn Described {
+        &*self.model
     }
 }
 
