@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::request::quantity_table::Derivation;
+use crate::request::quantity_table::{Derivation, InterfaceProperty};
 use crate::{ContactError, Evaluation, Quantity, nearest_name};
 
 impl Quantity {
@@ -134,9 +134,9 @@ impl Quantity {
 
     /// The number of the interface that this quantity needs, for a stiffness or a conductance, and
     /// the factor of the sum of the contact radii that follows from it.
-    pub(crate) fn interface_property(self) -> Option<(&'static str, fn(f64) -> f64)> {
+    pub(crate) fn interface_property(self) -> Option<InterfaceProperty> {
         match self.derivation() {
-            Derivation::ContactRadii(field, factor) => Some((field, factor)),
+            Derivation::ContactRadii(property) => Some(property),
             Derivation::PerNominalArea(of) => of.interface_property(),
             _ => None,
         }

@@ -9,6 +9,10 @@ use Derivation::{
 };
 use Quantity::{Area, ElectricalConductance, Force, ThermalConductance};
 
+/// A number of the interface by its name, and the factor of the sum of the contact radii that
+/// follows from it.
+pub(crate) type InterfaceProperty = (&'static str, fn(f64) -> f64);
+
 /// How a quantity follows from the laws of one asperity.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Derivation {
@@ -21,7 +25,7 @@ pub(crate) enum Derivation {
     /// Over the nominal area.
     PerNominalArea(Quantity),
     /// The sum of the contact radii times a factor that a number of the interface gives.
-    ContactRadii(&'static str, fn(f64) -> f64),
+    ContactRadii(InterfaceProperty),
     /// One integral over another.
     Ratio(Quantity, Quantity),
     /// The natural logarithm of the absolute value of an integral.
@@ -130,19 +134,19 @@ quantities! {
     /// tangent, which is smaller where asperities yield. For contacts with adhesion (JKR) it holds
     /// for motions so small that the edges of the contacts stay in place.
     UnloadingStiffness "unloading-stiffness" "K_u" "N/m" "unloading stiffness"
-        (ContactRadii("equivalent_modulus", |modulus| 2.0 * modulus))
+        (ContactRadii(("equivalent_modulus", |modulus| 2.0 * modulus)))
         "Stiffness at the start of elastic unloading, 2 E times the sum of contact radii.";
     /// Needs the equivalent shear modulus.
     TangentialStiffness "tangential-stiffness" "K_t" "N/m" "tangential stiffness"
-        (ContactRadii("equivalent_shear_modulus", |modulus| 8.0 * modulus))
+        (ContactRadii(("equivalent_shear_modulus", |modulus| 8.0 * modulus)))
         "Tangential stiffness in full stick (Mindlin), 8 G times the sum of contact radii.";
     /// Needs the thermal conductivity.
     ThermalConductance "thermal-conductance" "C_t" "W/K" "thermal conductance"
-        (ContactRadii("thermal_conductivity", |k| 2.0 * k))
+        (ContactRadii(("thermal_conductivity", |k| 2.0 * k)))
         "Thermal conductance of contacts far from each other, 2 k times the sum of contact radii.";
     /// Needs the electrical resistivity.
     ElectricalConductance "electrical-conductance" "C_e" "S" "electrical conductance"
-        (ContactRadii("electrical_resistivity", |rho| 2.0 / rho))
+        (ContactRadii(("electrical_resistivity", |rho| 2.0 / rho)))
         "Electrical conductance of contacts far from each other, 2/rho times the sum of contact \
         radii.";
     ThermalConductancePerArea "thermal-conductance-per-area" "C_t/A_n" "W/m2/K"
