@@ -205,7 +205,7 @@ fn unknown_models_are_answered_with_the_nearest_name() {
         assert!(message.contains(&format!("the nearest is {near:?}")), "{message}");
     }
     let far = "archard".parse::<Model>().unwrap_err();
-    assert!(matches!(&far, ContactError::UnknownModel { near: None, .. }), "{far}");
+    assert!(matches!(&far, ContactError::UnknownName { near: None, .. }), "{far}");
 }
 
 #[test]

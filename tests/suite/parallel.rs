@@ -1,6 +1,6 @@
 //! Long lists of separations are computed on all cores, with the same digits in the same order.
 
-use asperity::{HeightDistribution, Quantity, Request, Tolerance, linspace};
+use asperity::{At, HeightDistribution, Quantity, Request, Tolerance, linspace};
 
 use crate::scenes::{model, named};
 
@@ -86,7 +86,7 @@ fn separations_in_metres_are_the_same_with_a_wider_bound() {
     let ke = model("ke");
     let tolerance = Tolerance::new(1e-13).unwrap();
     let exact = Request::new([Quantity::Force]).at([30.0]).within(tolerance);
-    let metres = Request::new([Quantity::Force]).at_metres([30.0 * std]).within(tolerance);
+    let metres = Request::new([Quantity::Force]).at([At::metres(30.0 * std)]).within(tolerance);
     let [exact, metres] = [exact, metres].map(|request| {
         let answer = ke.solve(&scene, &request).unwrap();
         let column = answer.column(Quantity::Force).unwrap();

@@ -11,6 +11,7 @@ use asperity::{
     Asperities, At, Code, ContactError, ContactModel, Described, Interface, Model, Quantity,
     Request, Scene, Surface,
 };
+use asperity_scene::INTERFACE;
 
 use crate::command::{output, run};
 use crate::figures::{FIGURES, captions};
@@ -200,10 +201,13 @@ fn models() -> String {
 /// A model that refuses a quantity for another reason than that it has none.
 fn quantities() -> Result<String> {
     let mut interface = Interface::new(116e9, 0.31, 1.12e9);
-    interface.equivalent_shear_modulus = Some(41e9);
+    for field in INTERFACE.iter().filter(|field| field.name != "equivalent_modulus") {
+        // What a quantity needs, for its name alone.
+        if Quantity::ALL.iter().any(|quantity| quantity.property() == Some(field.name)) {
+            (field.set)(&mut interface, 1e9);
+        }
+    }
     interface.work_of_adhesion = Some(0.05);
-    interface.thermal_conductivity = Some(20.0);
-    interface.electrical_resistivity = Some(1e-7);
     let scene = Scene::new(interface, Surface::new(3.6e-4, 1.1e8, 1e-6), 3e-5);
     let (inclined, upright): (Vec<_>, Vec<_>) =
         Model::of_asperities().into_iter().partition(|model| model.validity().angles);

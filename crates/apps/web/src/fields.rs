@@ -281,13 +281,10 @@ mod tests {
         assert_eq!(fields(&text)["body[1].material"], "copper-cold-worked");
         let own = with_material(&text, "");
         let known = materials().iter().find(|known| known.id == "copper-cold-worked").unwrap();
-        for (key, wanted) in [
-            ("youngs_modulus", Some(known.body.youngs_modulus)),
-            ("thermal_conductivity", known.body.thermal_conductivity),
-            ("electrical_resistivity", known.body.electrical_resistivity),
-        ] {
-            let found = &fields(&own)[&format!("body[1].{key}")];
-            assert_eq!(found.parse::<f64>().ok(), wanted, "{key}");
+        for number in asperity::Body::NUMBERS {
+            let found = fields(&own).get(&format!("body[1].{}", number.name)).cloned();
+            let found = found.and_then(|text| text.parse::<f64>().ok());
+            assert_eq!(found, (number.get)(&known.body), "{}", number.name);
         }
         // Another material takes all of them away.
         let again = with_material(&own, "copper-cold-worked");

@@ -16,10 +16,10 @@ use options::{Configurable, Rearranged};
 use crate::joints::{Correlated, Correlation};
 use crate::{
     AbdoFarhang, AminiTehrani, AsperityModel, AsperityPairs, AtReading, Best, ChangEtsionBogy,
-    Citation, Contact, ContactError, ContactModel, DerjaguinMullerToporov, Described,
-    EtsionKligermanKadin, Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen,
-    JkrBranch, JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities,
-    Request, Scene, SumOfContacts, Validity, ZhaoMaiettaChang, nearest_name,
+    Contact, ContactError, ContactModel, DerjaguinMullerToporov, Described, EtsionKligermanKadin,
+    Gao, GeometricHardness, Ghaednia, GreenwoodWilliamson, JacksonGreen, JkrBranch,
+    JohnsonKendallRoberts, KogutEtsion, Persson, PerssonVariance, RandomAsperities, Request, Scene,
+    SumOfContacts, Wraps, ZhaoMaiettaChang, nearest_name,
 };
 
 /// Any contact model, by value: cheap to clone, shared between threads, read from its name, and
@@ -224,25 +224,9 @@ impl Model {
     }
 }
 
-impl Described for Model {
-    fn citation(&self) -> &Citation {
-        self.model.citation()
-    }
-
-    fn id(&self) -> &str {
-        self.model.id()
-    }
-
-    fn name(&self) -> &str {
-        self.model.name()
-    }
-
-    fn variant(&self) -> Vec<&'static str> {
-        self.model.variant()
-    }
-
-    fn validity(&self) -> Validity {
-        self.model.validity()
+impl Wraps for Model {
+    fn inner(&self) -> &dyn Described {
+        &*self.model
     }
 }
 
@@ -265,10 +249,6 @@ impl ContactModel for Model {
 
     fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
         self.model.contact(scene, request)
-    }
-
-    fn solve(&self, scene: &Scene, request: &Request) -> Result<crate::Response, ContactError> {
-        self.model.solve(scene, request)
     }
 }
 
@@ -305,10 +285,10 @@ impl FromStr for Model {
         if let Some(model) = models.iter().find(|m| m.id() == wanted) {
             return Ok(model.clone());
         }
-        Err(ContactError::UnknownModel {
-            name: name.into(),
-            near: nearest_name(&wanted, models.iter().map(|m| m.id())).map(Into::into),
-        })
+        let near = nearest_name(&wanted, models.iter().map(|m| m.id())).map(Into::into);
+        let help = if near.is_none() { ": see the list of models" } else { "" };
+        let (what, name, help) = ("model", name.into(), help.into());
+        Err(ContactError::UnknownName { what, name, near, help })
     }
 }
 
@@ -380,7 +360,7 @@ mod tests {
     #[test]
     fn far_names_get_no_guess() {
         let near = |name: &str| match name.parse::<Model>() {
-            Err(crate::ContactError::UnknownModel { near, .. }) => near,
+            Err(crate::ContactError::UnknownName { near, .. }) => near,
             other => panic!("{other:?}"),
         };
         assert_eq!(near("westergaard"), None);

@@ -78,9 +78,9 @@ impl Model {
     /// The same model with these options in place of its own.
     ///
     /// # Errors
-    /// [`ContactError::Option`] naming the option that the model does not have, or its value.
+    /// [`ContactError::Refused`] naming the option that the model does not have, or its value.
     pub fn with_options(&self, options: &Map<String, Value>) -> Result<Self, ContactError> {
-        let refused = |reason: String| ContactError::Option { model: self.id().into(), reason };
+        let refused = |reason: String| ContactError::Refused { model: self.id().into(), reason };
         match &self.known {
             Some(known) => known.with(options).map_err(|error| refused(error.to_string())),
             None if options.is_empty() => Ok(self.clone()),

@@ -1,7 +1,5 @@
 //! Errors: which field, what value, what was required.
 
-use std::fmt;
-
 use asperity_quadrature::QuadratureError;
 use serde::Serialize;
 
@@ -13,6 +11,7 @@ use crate::{At, Quantity, Separation, nearest_hint, short};
 #[non_exhaustive]
 pub enum ContactError {
     /// An input lies outside its range.
+    #[error("{field} is {value:?}: {required} was required")]
     OutOfRange {
         /// Name of the input, as in the struct or the scene file.
         field: &'static str,
@@ -22,6 +21,7 @@ pub enum ContactError {
         required: &'static str,
     },
     /// A number in a table lies outside its range.
+    #[error("row {row}: {field} is {value:?}: {required} was required")]
     InTable {
         /// The row, counted from 1.
         row: usize,
@@ -33,6 +33,7 @@ pub enum ContactError {
         required: &'static str,
     },
     /// An input that this model needs was not given.
+    #[error("{field} is missing: {reason}")]
     Missing {
         /// Name of the input.
         field: &'static str,
@@ -40,11 +41,13 @@ pub enum ContactError {
         reason: String,
     },
     /// A quantity was read that the request does not list.
+    #[error("{quantity} was not requested: add it to the request's quantities")]
     NotRequested {
         /// The quantity.
         quantity: Quantity,
     },
     /// A model was asked for a law it does not have.
+    #[error("{model} has no law for {quantity}")]
     NoLaw {
         /// The model.
         model: String,
@@ -52,6 +55,7 @@ pub enum ContactError {
         quantity: Quantity,
     },
     /// The model does not provide this.
+    #[error("{model} cannot give {what}")]
     Unsupported {
         /// The model.
         model: String,
@@ -59,6 +63,7 @@ pub enum ContactError {
         what: String,
     },
     /// A ratio or a logarithm where no asperity is in contact.
+    #[error("{quantity} has no value at {at}: no asperity is in contact there")]
     NoValue {
         /// The quantity.
         quantity: Quantity,
@@ -66,6 +71,10 @@ pub enum ContactError {
         at: At,
     },
     /// A separation outside the range that can be evaluated.
+    #[error(
+        "separation is {separation}{}: -1e6 to 1e9 asperity_height_std from the mean of the asperity heights was required",
+        in_sigmas(.separation, *.over_sigma)
+    )]
     SeparationOutOfRange {
         /// The separation as given.
         separation: Separation,
@@ -73,6 +82,9 @@ pub enum ContactError {
         over_sigma: f64,
     },
     /// A separation is no number, or is below the range of a table.
+    #[error(
+        "{field} is {separation}: {deepest} or more, the deepest separation of the table, was required"
+    )]
     BelowTable {
         /// Name of the input.
         field: &'static str,
@@ -82,10 +94,17 @@ pub enum ContactError {
         deepest: Separation,
     },
     /// A separation from the mean plane of the surface, for heights without one.
+    #[error(
+        "separations from the mean plane of the surface need mean_plane_offset with exponential and Weibull heights"
+    )]
     NoMeanPlane,
     /// A compiled scene was moved to one with a different interface or asperity radius.
+    #[error(
+        "interface or asperity_radius differs from the compiled scene, and its laws depend on them: compile the new scene"
+    )]
     OtherAsperity,
-    /// A model refuses the input for a reason of its own.
+    /// A model refuses the input, or a value of an option, for a reason of its own.
+    #[error("{model}: {reason}")]
     Refused {
         /// The model.
         model: String,
@@ -93,36 +112,29 @@ pub enum ContactError {
         reason: String,
     },
     /// No surface that was solved by boundary elements is like the one of the scene.
+    #[error("no boundary-element solution is close: {reason}")]
     NoEvidence {
         /// The property that differs, by its name.
         property: &'static str,
         /// What differs.
         reason: String,
     },
-    /// An unknown name of a quantity.
-    UnknownQuantity {
-        /// The value given.
-        name: String,
-        /// The nearest quantity, if one is near.
-        near: Option<Quantity>,
-        /// All known names.
-        known: String,
-    },
-    /// An unknown option of a model, or a value that it does not accept.
-    Option {
-        /// The model's id.
-        model: String,
-        /// The value given and the values accepted.
-        reason: String,
-    },
-    /// An unknown name of a model.
-    UnknownModel {
+    /// An unknown name of a quantity or a model.
+    #[error("{what} {name:?} is not known{}{help}", nearest_hint(.near.as_ref()))]
+    UnknownName {
+        /// `quantity` or `model`.
+        what: &'static str,
         /// The value given.
         name: String,
         /// The nearest known name, if one is near.
         near: Option<String>,
+        /// Where the known names are, to follow the text.
+        help: String,
     },
     /// The scale of a quantity exceeds the range of f64.
+    #[error(
+        "the scale of the {quantity} is {scale:e}, outside the range of f64: check the units of the inputs"
+    )]
     Scale {
         /// The quantity.
         quantity: Quantity,
@@ -130,11 +142,15 @@ pub enum ContactError {
         scale: f64,
     },
     /// The interference unit of a law differs too much from the spread of the heights.
+    #[error(
+        "the law's interference unit over asperity_height_std is {ratio:e}: 1e-100 to 1e100 was required"
+    )]
     Ratio {
         /// The unit over σ_z.
         ratio: f64,
     },
     /// No separation carries this load or holds this tension.
+    #[error("load is {load:?} N{}", reach(*.load, *.largest, *.at))]
     OutOfReach {
         /// The load asked for \[N\].
         load: f64,
@@ -144,6 +160,9 @@ pub enum ContactError {
         at: At,
     },
     /// The force varies too much between two separations to find those that carry the load.
+    #[error(
+        "law or heights vary too much between {from} and {to} to find every separation that carries the load: request the largest separation alone, or declare the kinks of the law and the breaks of the heights"
+    )]
     Unresolved {
         /// The lower separation.
         from: At,
@@ -151,6 +170,11 @@ pub enum ContactError {
         to: At,
     },
     /// A load so light that it is carried beyond the largest separation: heights with a heavy tail.
+    #[error(
+        "load is {load:?} N: at least {} N, the force at the largest separation ({}), was required",
+        short(*.smallest),
+        .at.rounded()
+    )]
     TooLight {
         /// The load asked for \[N\].
         load: f64,
@@ -160,6 +184,7 @@ pub enum ContactError {
         at: At,
     },
     /// The integral could not be computed.
+    #[error("{quantity} at {at}: {source}")]
     Integral {
         /// The quantity asked for.
         quantity: Quantity,
@@ -168,70 +193,6 @@ pub enum ContactError {
         /// The reason given by the quadrature.
         source: QuadratureError,
     },
-}
-
-impl fmt::Display for ContactError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&match self {
-            Self::OutOfRange { field, value, required } => {
-                format!("{field} is {value:?}: {required} was required")
-            }
-            Self::InTable { row, field, value, required } => {
-                format!("row {row}: {field} is {value:?}: {required} was required")
-            }
-            Self::Missing { field, reason } => format!("{field} is missing: {reason}"),
-            Self::NotRequested { quantity } => {
-                format!("{quantity} was not requested: add it to the request's quantities")
-            }
-            Self::NoLaw { model, quantity } => format!("{model} has no law for {quantity}"),
-            Self::Unsupported { model, what } => format!("{model} cannot give {what}"),
-            Self::NoValue { quantity, at } => {
-                format!("{quantity} has no value at {at}: no asperity is in contact there")
-            }
-            Self::SeparationOutOfRange { separation, over_sigma } => format!(
-                "separation is {separation}{}: -1e6 to 1e9 asperity_height_std from the mean of the asperity heights was required",
-                in_sigmas(separation, *over_sigma)
-            ),
-            Self::BelowTable { field, separation, deepest } => format!(
-                "{field} is {separation}: {deepest} or more, the deepest separation of the table, was required"
-            ),
-            Self::NoMeanPlane => "separations from the mean plane of the surface need mean_plane_offset with exponential and Weibull heights".into(),
-            Self::OtherAsperity => "interface or asperity_radius differs from the compiled scene, and its laws depend on them: compile the new scene".into(),
-            Self::Refused { model, reason } | Self::Option { model, reason } => {
-                format!("{model}: {reason}")
-            }
-            Self::NoEvidence { reason, .. } => {
-                format!("no boundary-element solution is close: {reason}")
-            }
-            Self::UnknownQuantity { name, near, known } => format!(
-                "quantity {name:?} is not known{}: the quantities are {known}",
-                nearest_hint(*near)
-            ),
-            Self::UnknownModel { name, near } => {
-                let list = || ": see the list of models".into();
-                let rest = near.as_ref().map_or_else(list, |near| nearest_hint(Some(near)));
-                format!("model {name:?} is not known{rest}")
-            }
-            Self::Scale { quantity, scale } => format!(
-                "the scale of the {quantity} is {scale:e}, outside the range of f64: check the units of the inputs"
-            ),
-            Self::Ratio { ratio } => format!(
-                "the law's interference unit over asperity_height_std is {ratio:e}: 1e-100 to 1e100 was required"
-            ),
-            Self::OutOfReach { load, largest, at } => {
-                format!("load is {load:?} N{}", reach(*load, *largest, *at))
-            }
-            Self::Unresolved { from, to } => format!(
-                "law or heights vary too much between {from} and {to} to find every separation that carries the load: request the largest separation alone, or declare the kinks of the law and the breaks of the heights"
-            ),
-            Self::TooLight { load, smallest, at } => format!(
-                "load is {load:?} N: at least {} N, the force at the largest separation ({}), was required",
-                short(*smallest),
-                at.rounded()
-            ),
-            Self::Integral { quantity, at, source } => format!("{quantity} at {at}: {source}"),
-        })
-    }
 }
 
 fn reach(load: f64, largest: f64, at: At) -> String {

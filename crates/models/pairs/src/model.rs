@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::f64::consts::PI;
 
 use asperity_core::{
-    Asperity, AsperityModel, Contact, ContactError, ContactModel, HeightDistribution, IsVariant,
-    Law, Request, Scene, SumOfContacts, Variant, compile_laws, contact_of_laws,
+    Asperity, AsperityModel, Contact, ContactError, ContactModel, Described, HeightDistribution,
+    Law, Request, Scene, SumOfContacts, Variant, Wraps, compile_laws, contact_of_laws,
 };
 
 use crate::integral::integral;
@@ -44,8 +44,8 @@ fn sum(one: Law, asperity: &Asperity) -> Result<Law, ContactError> {
     Ok(law)
 }
 
-impl IsVariant for AsperityPairs {
-    fn of(&self) -> &Variant {
+impl Wraps for AsperityPairs {
+    fn inner(&self) -> &dyn Described {
         &self.0
     }
 }

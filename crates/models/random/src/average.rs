@@ -5,8 +5,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use asperity_core::{
-    Asperity, AsperityModel, ContactError, Described, Formula, IsVariant, Law, Part, Tolerance,
-    Variant,
+    Asperity, AsperityModel, ContactError, Described, Formula, Law, Part, Tolerance, Variant, Wraps,
 };
 use asperity_quadrature::{Estimate, FunctionTable, QuadratureError, Sampler, TanhSinh};
 
@@ -42,8 +41,8 @@ pub(crate) struct Average<'m> {
     pub(crate) tolerance: Tolerance,
 }
 
-impl IsVariant for Average<'_> {
-    fn of(&self) -> &Variant {
+impl Wraps for Average<'_> {
+    fn inner(&self) -> &dyn Described {
         self.variant
     }
 }

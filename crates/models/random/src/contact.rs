@@ -1,9 +1,9 @@
 //! A law of one asperity on a random surface, as a contact model.
 
 use asperity_core::{
-    At, Contact, ContactEngine, ContactError, ContactModel, Datum, Evaluation, Finding, IsVariant,
+    At, Contact, ContactEngine, ContactError, ContactModel, Datum, Described, Evaluation, Finding,
     Part, QuadratureError, Quantity, Request, Scene, Separation, SeparationUnit, Share, Tolerance,
-    Variant,
+    Variant, Wraps,
 };
 
 use crate::average::Average;
@@ -32,8 +32,8 @@ impl RandomAsperities {
     }
 }
 
-impl IsVariant for RandomAsperities {
-    fn of(&self) -> &Variant {
+impl Wraps for RandomAsperities {
+    fn inner(&self) -> &dyn Described {
         &self.0
     }
 }

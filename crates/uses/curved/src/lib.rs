@@ -38,7 +38,7 @@ mod solve;
 
 use std::f64::consts::PI;
 
-use asperity_core::{ContactError, ContactModel, Quantity, Scene, Tolerance};
+use asperity_core::{ContactError, ContactModel, Quantity, Scene, Tolerance, positive};
 
 pub use hertz::Hertz;
 pub use model::BetweenCurved;
@@ -46,7 +46,7 @@ pub use solution::Solution;
 
 use kernel::{Deflection, quick};
 use layer::Layer;
-use solve::State;
+use solve::{Given, State};
 
 /// The share of the peak pressure at the edge of the grid.
 const EDGE: f64 = 1e-9;
@@ -58,6 +58,9 @@ const FREE: f64 = 1e-30;
 const FINEST: f64 = 1e-8;
 /// The tolerance where the default one is asked for, which would take ten times as long.
 const USUAL: f64 = 1e-6;
+/// The tolerance with which the load of an approach is searched, and how near to it a grid is made.
+const SEARCH: f64 = 1e-3;
+const NEAR: f64 = 0.03;
 /// The largest number of points along a side.
 const MOST: usize = 768;
 
@@ -80,6 +83,16 @@ pub enum Shape {
         /// The length L in the deflection \[m\], on which the approach depends.
         reference_length: Option<f64>,
     },
+}
+
+impl Shape {
+    /// Of a line, its length; 1 of a point.
+    fn length(&self) -> f64 {
+        match *self {
+            Self::Point { .. } => 1.0,
+            Self::Line { length, .. } => length,
+        }
+    }
 }
 
 /// The work of a solution.
@@ -135,13 +148,6 @@ fn refused<T>(reason: &'static str) -> Result<T, ContactError> {
     Err(ContactError::Refused { model, reason: reason.into() })
 }
 
-fn above_zero(field: &'static str, value: f64) -> Result<f64, ContactError> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(value);
-    }
-    Err(ContactError::OutOfRange { field, value, required: "a finite number above 0" })
-}
-
 impl Curved {
     /// Compiles a model for these bodies: for pressures, and for the quantities asked for (area,
     /// contacts, unloading stiffness). The numbers of solutions are right to the tolerance, from
@@ -159,13 +165,13 @@ impl Curved {
     ) -> Result<Self, ContactError> {
         match shape {
             Shape::Point { radius_x, radius_y } => {
-                above_zero("radius_x", radius_x)?;
-                above_zero("radius_y", radius_y)?;
+                positive("radius_x", radius_x)?;
+                positive("radius_y", radius_y)?;
             }
             Shape::Line { radius, length, reference_length } => {
-                above_zero("radius", radius)?;
-                above_zero("length", length)?;
-                above_zero("reference_length", reference_length.unwrap_or(1.0))?;
+                positive("radius", radius)?;
+                positive("length", length)?;
+                positive("reference_length", reference_length.unwrap_or(1.0))?;
             }
         }
         let tolerance = match tolerance {
@@ -184,19 +190,29 @@ impl Curved {
     /// pressure rises with the separation or does not vanish beside the patch, and a search that
     /// does not converge.
     pub fn at_load(&self, load: f64) -> Result<Solution<'_>, ContactError> {
-        above_zero("load", load)?;
-        let hertz = Hertz::new(&self.shape, self.layer.modulus, load);
-        if self.points(&hertz) > MOST {
+        self.at(positive("load", load)?, None, self.tolerance)
+    }
+
+    /// The contact at a load \[N\], or near it at an approach \[m\], to a tolerance.
+    fn at(
+        &self,
+        load: f64,
+        approach: Option<f64>,
+        tolerance: f64,
+    ) -> Result<Solution<'_>, ContactError> {
+        let hertz = |load| Hertz::new(&self.shape, self.layer.modulus, load);
+        if self.points(&hertz(load), tolerance) > MOST {
             return refused(
                 "the bodies approach by more than 2000 times the roughness: take them as smooth, by Hertz",
             );
         }
         let mut wider = 1.0;
         loop {
-            let state = self.solve(&hertz, load, wider)?;
+            let state = self.solve(&hertz(load), load, wider, approach, tolerance)?;
             let edge = state.edge() / state.peak();
             if edge <= 10.0 * EDGE {
-                return Ok(Solution::new(self, hertz, load, state));
+                let load = approach.map_or(load, |_| state.force() * self.shape.length());
+                return Ok(Solution::new(self, hertz(load), load, state));
             }
             wider *= 1.3;
             if wider > WIDEST {
@@ -220,16 +236,21 @@ impl Curved {
     /// Points along a side of the grid at a load \[N\].
     #[must_use]
     pub fn points_at(&self, load: f64) -> usize {
-        self.points(&Hertz::new(&self.shape, self.layer.modulus, load))
+        self.points(&Hertz::new(&self.shape, self.layer.modulus, load), self.tolerance)
     }
 
-    fn solve(&self, hertz: &Hertz, load: f64, wider: f64) -> Result<State, ContactError> {
-        let modulus = self.layer.modulus;
-        let (radii, load, gap): (_, _, fn(f64) -> f64) = match self.shape {
-            Shape::Point { radius_x, radius_y } => ([radius_x, radius_y], load, gap_of_sphere),
-            Shape::Line { radius, length, .. } => {
-                ([radius, f64::INFINITY], load / length, gap_of_cylinder)
-            }
+    fn solve(
+        &self,
+        hertz: &Hertz,
+        load: f64,
+        wider: f64,
+        approach: Option<f64>,
+        tolerance: f64,
+    ) -> Result<State, ContactError> {
+        let (modulus, load) = (self.layer.modulus, load / self.shape.length());
+        let (radii, gap): (_, fn(f64) -> f64) = match self.shape {
+            Shape::Point { radius_x, radius_y } => ([radius_x, radius_y], gap_of_sphere),
+            Shape::Line { radius, .. } => ([radius, f64::INFINITY], gap_of_cylinder),
         };
         // The start: a wider patch, with the pressure of Hertz.
         let widened = |k: usize| hertz.axes[k].hypot((1.5 * radii[k] * self.layer.sigma).sqrt());
@@ -242,7 +263,7 @@ impl Curved {
         // How far the bodies part beyond the patch, from the peak to the edge of the grid.
         let apart = self.layer.separation(EDGE * peak)? - self.layer.separation(peak)?;
         let half = |k: usize| wider * axes[k] * reach(apart * radii[k] / axes[k].powi(2), gap);
-        let n = self.points(hertz);
+        let n = self.points(hertz, tolerance);
         let grid = match is_line {
             true => Grid { n: [n, 1], steps: [2.0 * half(0) / n as f64, 1.0] },
             false => Grid { n: [n, n], steps: [0, 1].map(|k| 2.0 * half(k) / n as f64) },
@@ -259,18 +280,22 @@ impl Curved {
             false => Deflection::of_area(n, grid.steps, modulus),
         };
         let mut state = State::new(&self.layer, kernel, grid, shape, &pressures, load)?;
-        state.solve(&self.layer, load)?;
+        let given = match approach.zip(self.beyond_grid(&grid)) {
+            Some((approach, more)) => Given::Approach(approach, more),
+            None => Given::Load(load),
+        };
+        state.solve(&self.layer, given, tolerance)?;
         Ok(state)
     }
 
     /// Points along a side: the pressure falls to 0 over a length that shrinks with the root of
     /// α = σ/(approach of Hertz), and the error by 100 with 2.2 more points in it.
-    fn points(&self, hertz: &Hertz) -> usize {
+    fn points(&self, hertz: &Hertz, tolerance: f64) -> usize {
         let alpha = match self.shape {
             Shape::Point { .. } => self.layer.sigma / hertz.approach.unwrap_or(f64::NAN),
             Shape::Line { radius, .. } => self.layer.sigma * radius / hertz.axes[0].powi(2),
         };
-        let of_length = (12.0 - 2.2 * (self.tolerance.log10() + 6.0)).max(6.0);
+        let of_length = (12.0 - 2.2 * (tolerance.log10() + 6.0)).max(6.0);
         // Infinitely many of smooth bodies.
         let n = (of_length / alpha.sqrt()).max(2.6 * of_length).min(2.0 * MOST as f64);
         quick(n.ceil() as usize)
@@ -292,20 +317,31 @@ impl Curved {
             Shape::Point { .. } => (reach / unit.approach.unwrap_or(f64::NAN)).powf(1.5),
             Shape::Line { length, .. } => reach * self.layer.modulus * length,
         };
+        let rough = self.tolerance.max(SEARCH);
         for _ in 0..60 {
-            let mut found = self.at_load(load)?;
+            let mut found = self.at(load, None, rough)?;
             let missing = approach - found.approach().unwrap_or(f64::NAN);
             // Newton's method for the logarithm of the load, which never leaves it positive.
-            let change = found.tangent()? * missing / load;
-            if change.abs() < 0.01 * self.tolerance {
-                return Ok(found);
-            }
+            let change = found.tangent_within(rough)? * missing / load;
             load *= change.clamp(-4.0, 4.0).exp();
             if load < FREE * self.layer.modulus * self.layer.sigma.powi(2) {
                 return refused("the bodies do not touch at this approach");
             }
+            if change.abs() < NEAR {
+                return self.at(load, Some(approach), self.tolerance);
+            }
         }
         refused("no load has this approach")
+    }
+
+    /// How much larger an approach is than with the reference length of a grid, at a unit of load
+    /// per length; `None` of a line without a reference length.
+    fn beyond_grid(&self, grid: &Grid) -> Option<f64> {
+        match self.shape {
+            Shape::Point { .. } => Some(0.0),
+            Shape::Line { reference_length, .. } => reference_length
+                .map(|l| 2.0 / (PI * self.layer.modulus) * (l / grid.reference()).ln()),
+        }
     }
 }
 

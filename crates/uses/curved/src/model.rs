@@ -2,12 +2,11 @@
 //! model between curved bodies.
 
 use std::collections::HashMap;
-use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity_core::{
-    At, Citation, Code, Contact, ContactEngine, ContactError, ContactModel, Datum, Described,
-    Evaluation, Finding, Quantity, Request, Scene, Separation, SeparationUnit, Validity,
+    At, Code, Contact, ContactEngine, ContactError, ContactModel, Datum, Described, Evaluation,
+    Finding, Quantity, Request, Scene, Separation, SeparationUnit, Wraps, map_runs,
 };
 
 use crate::{Curved, Shape, Solution};
@@ -51,25 +50,9 @@ impl BetweenCurved {
     }
 }
 
-impl Described for BetweenCurved {
-    fn citation(&self) -> &Citation {
-        self.model.citation()
-    }
-
-    fn id(&self) -> &str {
-        self.model.id()
-    }
-
-    fn name(&self) -> &str {
-        self.model.name()
-    }
-
-    fn variant(&self) -> Vec<&'static str> {
-        self.model.variant()
-    }
-
-    fn validity(&self) -> Validity {
-        self.model.validity()
+impl Wraps for BetweenCurved {
+    fn inner(&self) -> &dyn Described {
+        &*self.model
     }
 }
 
@@ -91,8 +74,8 @@ fn of_layer(quantity: Quantity) -> Option<Quantity> {
     }
 }
 
-impl ContactModel for BetweenCurved {
-    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+impl BetweenCurved {
+    fn on(&self, scene: &Scene, request: &Request) -> Result<OfBodies, ContactError> {
         let mut layer: Vec<Quantity> =
             request.quantities.iter().copied().filter_map(of_layer).collect();
         layer.sort_unstable();
@@ -105,6 +88,20 @@ impl ContactModel for BetweenCurved {
             solved: Mutex::default(),
         };
         request.quantities.iter().try_for_each(|quantity| found.check(*quantity))?;
+        Ok(found)
+    }
+}
+
+impl ContactModel for BetweenCurved {
+    fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        Ok(Box::new(self.on(scene, request)?))
+    }
+
+    /// The places are solved at once, on all cores.
+    fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
+        let found = self.on(scene, request)?;
+        // A place that is refused is refused again, with its reason.
+        map_runs(&request.at, 1, |at| at.iter().map(|at| found.solve(*at).is_ok()).collect());
         Ok(Box::new(found))
     }
 }
@@ -112,6 +109,7 @@ impl ContactModel for BetweenCurved {
 /// What is kept of a solved contact: a value for each quantity, the approach, and what is noted.
 type Solved = Arc<(Vec<Result<Evaluation, ContactError>>, Option<f64>, Vec<Finding>)>;
 
+#[derive(Debug)]
 struct OfBodies {
     curved: Curved,
     id: String,
@@ -119,12 +117,6 @@ struct OfBodies {
     quantities: Vec<Quantity>,
     /// By the number, and whether it is a load.
     solved: Mutex<HashMap<(bool, u64), Solved>>,
-}
-
-impl fmt::Debug for OfBodies {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("OfBodies").field("curved", &self.curved).finish_non_exhaustive()
-    }
 }
 
 impl OfBodies {

@@ -27,14 +27,6 @@ impl<'c> Solution<'c> {
         Self { of, hertz, load, state }
     }
 
-    /// Of a line, its length; 1 of a point.
-    fn length(&self) -> f64 {
-        match self.of.shape {
-            Shape::Point { .. } => 1.0,
-            Shape::Line { length, .. } => length,
-        }
-    }
-
     /// The load \[N\].
     #[must_use]
     pub fn load(&self) -> f64 {
@@ -57,14 +49,8 @@ impl<'c> Solution<'c> {
     /// the mean of its asperity heights; `None` of a line without a reference length.
     #[must_use]
     pub fn approach(&self) -> Option<f64> {
-        match self.of.shape {
-            Shape::Point { .. } => Some(-self.state.offset),
-            Shape::Line { length, reference_length, .. } => {
-                let depth = 2.0 * self.load / length / (PI * self.of.layer.modulus);
-                let added = |l: f64| depth * (l / self.state.grid.reference()).ln();
-                reference_length.map(|l| added(l) - self.state.offset)
-            }
-        }
+        let more = self.of.beyond_grid(&self.state.grid)?;
+        Some(more * self.load / self.of.shape.length() - self.state.offset)
     }
 
     /// Approach less the approach of smooth bodies at the same load \[m\].
@@ -147,7 +133,9 @@ impl<'c> Solution<'c> {
     /// # Errors
     /// [`ContactError::NotRequested`] for a quantity that was not asked for.
     pub fn sum(&self, quantity: Quantity) -> Result<f64, ContactError> {
-        Ok(self.per_area(quantity)?.iter().sum::<f64>() * self.state.weight * self.length())
+        Ok(self.per_area(quantity)?.iter().sum::<f64>()
+            * self.state.weight
+            * self.of.shape.length())
     }
 
     /// The area fraction in the middle of the patch.
@@ -184,17 +172,18 @@ impl<'c> Solution<'c> {
     /// # Errors
     /// [`ContactError::Refused`] where its equations do not converge.
     pub fn tangent(&mut self) -> Result<f64, ContactError> {
-        let own = self.state.stiffness(self.of.tolerance)?;
+        self.tangent_within(self.of.tolerance)
+    }
+
+    pub(crate) fn tangent_within(&mut self, tolerance: f64) -> Result<f64, ContactError> {
+        let own = self.state.stiffness(tolerance)?;
         Ok(self.with_reference(own))
     }
 
     /// From a stiffness with the reference length of the grid, of a line per length.
     fn with_reference(&self, stiffness: f64) -> f64 {
-        let Shape::Line { reference_length: Some(l), .. } = self.of.shape else {
-            return stiffness * self.length();
-        };
-        let added = 2.0 / (PI * self.of.layer.modulus) * (l / self.state.grid.reference()).ln();
-        self.length() / (1.0 / stiffness + added)
+        let more = self.of.beyond_grid(&self.state.grid).unwrap_or(0.0);
+        self.of.shape.length() / (1.0 / stiffness + more)
     }
 
     /// dF over d(approach) of small vibrations \[N/m\]: the asperities respond with their unloading

@@ -7,8 +7,19 @@ use crate::layer::Layer;
 use crate::{Grid, Work, refused};
 
 const MAX_STEPS: usize = 60;
-/// Pressures change by less than this share of the peak in the last step.
-const DONE: f64 = 1e-9;
+/// What pressures may be off by after the last step, over the peak and the tolerance of numbers.
+const DONE: f64 = 1e-7;
+/// A step of Newton's method errs by at most this times its square, with both over the peak.
+const SQUARE: f64 = 30.0;
+
+/// What is given of a contact.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Given {
+    /// Its load, of a line per length.
+    Load(f64),
+    /// Its approach, and how much larger than on the grid approaches are at a unit of load.
+    Approach(f64, f64),
+}
 
 /// Separations on a grid with all that follows from them.
 pub(crate) struct State {
@@ -126,21 +137,33 @@ impl State {
         self.separations.iter().zip(rest).map(|(d, rest)| d - rest).collect()
     }
 
-    /// Solves for the state in equilibrium at a load, of a line per length.
-    pub(crate) fn solve(&mut self, layer: &Layer, load: f64) -> Result<(), ContactError> {
+    /// Solves for the state in equilibrium, with pressures that suffice for this tolerance.
+    pub(crate) fn solve(
+        &mut self,
+        layer: &Layer,
+        given: Given,
+        tolerance: f64,
+    ) -> Result<(), ContactError> {
+        let enough = DONE * tolerance;
         let mut residual = self.residual();
-        let mut tolerance = 1e-2;
+        let mut within = 1e-2;
         for _ in 0..MAX_STEPS {
             self.work.steps += 1;
             if self.slopes.iter().any(|slope| *slope < 0.0) {
                 return refused("the pressure of the model rises with the separation here");
             }
             let against: Vec<f64> = residual.iter().map(|r| -r).collect();
-            let mut step = self.linear(&against, tolerance)?;
-            // As much of a shift of all as carries the load.
-            let unit = self.linear(&vec![1.0; step.len()], tolerance)?;
-            let missing = load - self.force() + self.weight * dot(&self.slopes, &step);
-            let shift = -missing / (self.weight * dot(&self.slopes, &unit));
+            let mut step = self.linear(&against, within)?;
+            // As much of a shift of all as is given.
+            let unit = self.linear(&vec![1.0; step.len()], within)?;
+            let force = self.force() - self.weight * dot(&self.slopes, &step);
+            let stiffness = self.weight * dot(&self.slopes, &unit);
+            let shift = match given {
+                Given::Load(load) => (force - load) / stiffness,
+                Given::Approach(approach, more) => {
+                    (more * force - approach - self.offset) / (1.0 + more * stiffness)
+                }
+            };
             step.iter_mut().zip(&unit).for_each(|(step, unit)| *step += shift * unit);
             self.offset += shift;
             let (before, peak) = (self.pressures.clone(), self.peak());
@@ -148,13 +171,13 @@ impl State {
             self.update(layer)?;
             let changes = self.pressures.iter().zip(&before).map(|(a, b)| (a - b).abs());
             let change = changes.fold(0.0, f64::max) / peak.max(self.peak());
-            residual = self.residual();
-            // A step of Newton's method errs by its square.
-            tolerance = (change * change).clamp(1e-13, 1e-2);
-            if change < DONE {
+            let rest = (SQUARE * change * change).max(within * change);
+            if rest < enough {
                 self.work.products = self.kernel.products;
                 return Ok(());
             }
+            residual = self.residual();
+            within = (enough / rest).max(change * change).min(1e-2);
         }
         refused("the pressures did not settle")
     }

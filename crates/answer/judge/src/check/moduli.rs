@@ -2,7 +2,9 @@
 
 use super::Plausible;
 use super::usual::{CHECK_UNIT, outside, unusual, within};
-use asperity_core::{Body, Finding, Findings, HARDNESS_OVER_YIELD, Interface, short};
+use asperity_core::{
+    Body, Finding, Findings, HARDNESS_OVER_YIELD, Interface, MaterialNumber, short,
+};
 
 /// H/E: from indium and lead to ceramics and hard plastics.
 const RATIO: [f64; 2] = [3e-4, 0.3];
@@ -21,12 +23,22 @@ const PLASTIC_RATIO: f64 = 0.02;
 const YIELD_RATIO: [f64; 2] = [1.5, 6.0];
 /// G/E of two bodies; 0.17 to 0.25, (1-ν)/(2(2-ν)), for equal materials.
 const SHEAR_RATIO: [f64; 2] = [0.08, 0.5];
+/// Numbers on which a force depends, judged beside each other.
+const OF_FORCE: [&str; 7] = [
+    "youngs_modulus",
+    "equivalent_modulus",
+    "equivalent_shear_modulus",
+    "hardness",
+    "yield_strength",
+    "pressure_factor",
+    "work_of_adhesion",
+];
 
 impl Plausible for Body {
     fn findings(&self) -> Findings {
         let modulus = ("youngs_modulus", self.youngs_modulus);
         let mut found = elastic_plastic(modulus, self.hardness, self.yield_strength);
-        found.extend(conducting(self.thermal_conductivity, self.electrical_resistivity));
+        found.extend(of_no_force(self, Self::NUMBERS));
         found
     }
 }
@@ -50,19 +62,17 @@ impl Plausible for Interface {
         found.extend(work.map(|found| found.advice("clean surfaces in air have about 0.05")));
         let factor = self.pressure_factor.and_then(|factor| unusual("pressure_factor", factor));
         found.extend(factor.map(|found| found.advice("leave it out for 0.454 + 0.41 nu")));
-        found.extend(conducting(self.thermal_conductivity, self.electrical_resistivity));
+        found.extend(of_no_force(self, Self::NUMBERS));
         found
     }
 }
 
-/// Findings of conductivity and resistivity, which no force depends on.
-fn conducting(
-    conductivity: Option<f64>,
-    resistivity: Option<f64>,
-) -> impl Iterator<Item = Finding> {
-    let thermal = conductivity.and_then(|k| unusual("thermal_conductivity", k));
-    let electrical = resistivity.and_then(|rho| unusual("electrical_resistivity", rho));
-    thermal.into_iter().chain(electrical).map(|found| found.implausible(false))
+/// Findings of the numbers of a body or an interface that are judged nowhere else: no force depends
+/// on them.
+fn of_no_force<T>(of: &T, numbers: &[MaterialNumber<T>]) -> Findings {
+    let others = numbers.iter().filter(|number| !OF_FORCE.contains(&number.name));
+    let found = others.filter_map(|number| unusual(number.name, (number.get)(of)?));
+    found.map(|found| found.implausible(false)).collect()
 }
 
 /// Findings of a modulus, by its name, and of a hardness or a yield strength, alone and beside each

@@ -24,7 +24,8 @@ fn a_table_of_heights_beside_the_scene_is_read_in_metres() {
     assert_eq!(other.warnings.len(), 1, "{:?}", other.warnings);
     // The same separation in metres gives the same force in either unit.
     let force = |file: &SceneFile, metres: f64| {
-        let request = asperity::Request::new([asperity::Quantity::Force]).at_metres([metres]);
+        let request =
+            asperity::Request::new([asperity::Quantity::Force]).at([asperity::At::metres(metres)]);
         let answer = file.model("ke").unwrap().solve(&file.scene, &request).unwrap();
         answer.values(asperity::Quantity::Force).unwrap()[0]
     };

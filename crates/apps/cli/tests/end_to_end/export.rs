@@ -7,7 +7,7 @@ use crate::bench::{Bench, column, column_of, conducting};
 /// Pressures of the model itself at clearances in metres.
 fn pressures(bench: &Bench, clearances: &[f64]) -> Vec<f64> {
     let scene = bench.scene("scene.toml").scene;
-    let request = Request::new([Quantity::Force]).at_metres(clearances.iter().copied());
+    let request = Request::new([Quantity::Force]).at(clearances.iter().copied().map(At::metres));
     let answer = "ke".parse::<Model>().unwrap().solve(&scene, &request).unwrap();
     answer.values(Quantity::Force).unwrap().iter().map(|f| f / scene.nominal_area).collect()
 }

@@ -4,6 +4,7 @@ use asperity_quadrature::{ArrayAccuracy, ScaledIntegral};
 
 use crate::engine::height_integral::SLOPES_CANCEL;
 use crate::engine::prepared::Prepared;
+use crate::law::contact_radii;
 use crate::request::quantity_table::Derivation;
 use crate::scene::place::LOWEST;
 use crate::{ContactEngine, ContactError, FillReport, Quantity, response};
@@ -59,8 +60,8 @@ fn factor(prepared: &Prepared, quantity: Quantity) -> Option<(Quantity, bool, f6
             let (base, slope, total) = factor(prepared, of)?;
             Some((base, slope, total / scene.nominal_area))
         }
-        Derivation::ContactRadii(property) => {
-            let factor = property.on(&scene.interface, quantity).ok()?;
+        Derivation::ContactRadii(..) => {
+            let factor = contact_radii::factor(quantity, &scene.interface).ok()??;
             Some((quantity.origin(), false, factor))
         }
         _ => None,

@@ -4,6 +4,7 @@
 use asperity_quadrature::Moments;
 
 use crate::error::integral_failed;
+use crate::law::contact_radii;
 use crate::request::quantity_table::Derivation;
 use crate::scene::place::SeparationInSigma;
 use crate::{At, ContactError, Evaluation, Quantity, Regime, Scene, Tolerance};
@@ -44,7 +45,7 @@ impl AtPoint<'_> {
                 self.slope(quantity, of, integrals)
             }
             Derivation::PerNominalArea(of) => self.total(of, self.scene.nominal_area, integrals),
-            Derivation::ContactRadii(_) => self.total(quantity, 1.0, integrals),
+            Derivation::ContactRadii(..) => self.total(quantity, 1.0, integrals),
             Derivation::Ratio(above, below) => self.ratio(quantity, (above, below), integrals),
             Derivation::Logarithm(of) => self.logarithm(quantity, of, integrals),
             Derivation::RegimeShare(regime) => self.share(quantity, regime, integrals),
@@ -64,8 +65,7 @@ impl AtPoint<'_> {
         integrals: &mut impl Integrals,
     ) -> Result<Evaluation, ContactError> {
         let mut total = self.value(quantity.origin(), integrals)?;
-        if let Some(property) = quantity.interface_property() {
-            let factor = property.on(&self.scene.interface, quantity)?;
+        if let Some(factor) = contact_radii::factor(quantity, &self.scene.interface)? {
             let (scaled, size) = (total.scaled * factor, total.size * factor);
             total = Evaluation { scaled, size, ..total }.held(total.size, quantity)?;
         }

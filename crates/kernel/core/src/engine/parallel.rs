@@ -31,15 +31,6 @@ pub fn map_runs<T: Sync, R: Send>(
     items.par_chunks(length).flat_map_iter(f).collect()
 }
 
-/// Both results, computed at the same time on platforms with threads.
-#[cfg(feature = "rayon")]
-pub(crate) fn both<A: Send, B: Send>(
-    a: impl FnOnce() -> A + Send,
-    b: impl FnOnce() -> B + Send,
-) -> (A, B) {
-    rayon::join(a, b)
-}
-
 /// The results of `f` for runs of `length` items, joined in order.
 #[cfg(not(feature = "rayon"))]
 pub fn map_runs<T: Sync, R: Send>(
@@ -48,12 +39,4 @@ pub fn map_runs<T: Sync, R: Send>(
     f: impl Fn(&[T]) -> Vec<R> + Sync + Send,
 ) -> Vec<R> {
     items.chunks(length).flat_map(f).collect()
-}
-
-#[cfg(not(feature = "rayon"))]
-pub(crate) fn both<A: Send, B: Send>(
-    a: impl FnOnce() -> A + Send,
-    b: impl FnOnce() -> B + Send,
-) -> (A, B) {
-    (a(), b())
 }

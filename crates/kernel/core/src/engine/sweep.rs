@@ -6,7 +6,7 @@ use std::rc::Rc;
 use crate::engine::averages::separation_at;
 use crate::engine::case_integrals::CaseIntegrals;
 use crate::engine::laws::{Laws, any_load};
-use crate::engine::parallel::{both, map_runs};
+use crate::engine::parallel::map_runs;
 use crate::engine::row_integrals::RowIntegrals;
 use crate::engine::shapes::{RecentShapes, Shapes};
 use crate::{
@@ -17,8 +17,6 @@ use crate::{
 const CASES_PER_RUN: usize = 256;
 /// and where each takes milliseconds: neighbours still share their integrals.
 const SLOW_CASES_PER_RUN: usize = 4;
-/// Cases of a stream that are held in memory.
-const HELD: usize = 16_384;
 
 /// One model on many scenes. A part of a law that recurs, up to its units and a factor, is
 /// integrated once for all scales; other parts are integrated for each case, without preparation.
@@ -33,11 +31,10 @@ const HELD: usize = 16_384;
 ///     scene.surface.asperity_height_std *= 1.0 + 1e-6 * f64::from(k);
 ///     Case::new(scene, 1.0)
 /// };
-/// // A million scenes, 16384 at a time in memory, in order.
-/// sweep.stream((0..1_000_000).map(rougher), |_, answer| {
+/// let rougher: Vec<Case> = (0..10_000).map(rougher).collect();
+/// for answer in sweep.evaluate_all(&rougher) {
 ///     println!("{} N", answer?[0].value());
-///     Ok::<(), ContactError>(())
-/// })?;
+/// }
 /// # Ok(())
 /// # }
 /// ```
@@ -90,32 +87,6 @@ impl<'m> Sweep<'m> {
             model.asperity_model().is_none() || laws.is_ok_and(|laws| laws.are_costly())
         };
         if cases.first().is_some_and(is_slow) { SLOW_CASES_PER_RUN } else { CASES_PER_RUN }
-    }
-
-    /// Every case on all cores, delivered in order with its number. Some thousand cases at a time
-    /// are in memory.
-    ///
-    /// # Errors
-    /// The first error of `deliver`, which ends the stream.
-    pub fn stream<E>(
-        &self,
-        cases: impl IntoIterator<Item = Case, IntoIter: Send>,
-        mut deliver: impl FnMut(usize, Result<Vec<Evaluation>, ContactError>) -> Result<(), E>,
-    ) -> Result<(), E> {
-        let mut cases = cases.into_iter();
-        let mut count = 0;
-        let mut held: Vec<Case> = cases.by_ref().take(HELD).collect();
-        while !held.is_empty() {
-            // The next cases are made while these are answered.
-            let (answers, next) =
-                both(|| self.evaluate_all(&held), || cases.by_ref().take(HELD).collect::<Vec<_>>());
-            for answer in answers {
-                deliver(count, answer)?;
-                count += 1;
-            }
-            held = next;
-        }
-        Ok(())
     }
 }
 

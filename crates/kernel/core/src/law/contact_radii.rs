@@ -14,42 +14,29 @@
 
 use std::f64::consts::PI;
 
-use crate::request::quantity_table::InterfaceProperty;
-use crate::{ContactError, Formula, Interface, Law, Power, Quantity};
+use crate::{Body, ContactError, Formula, Interface, Law, Power, Quantity};
 
-impl InterfaceProperty {
-    /// The property, as in scene files.
-    pub(crate) fn field(self) -> &'static str {
-        match self {
-            Self::Modulus => "equivalent_modulus",
-            Self::ShearModulus => "equivalent_shear_modulus",
-            Self::ThermalConductivity => "thermal_conductivity",
-            Self::ElectricalResistivity => "electrical_resistivity",
-        }
+/// The factor of S in a stiffness or a conductance, 2 E, 8 G, 2 k or 2/ρ; `None` for another
+/// quantity.
+pub(crate) fn factor(
+    quantity: Quantity,
+    interface: &Interface,
+) -> Result<Option<f64>, ContactError> {
+    let Some((field, factor)) = quantity.interface_property() else { return Ok(None) };
+    let known = Interface::NUMBERS.iter().find(|number| number.name == field);
+    if let Some(value) = known.and_then(|number| (number.get)(interface)) {
+        return Ok(Some(factor(value)));
     }
-
-    /// The factor of S in `quantity`: 2 E, 8 G, 2 k or 2/ρ.
-    pub(crate) fn on(self, interface: &Interface, quantity: Quantity) -> Result<f64, ContactError> {
-        let either = " (that of the interface, or those of both bodies)";
-        let (factor, whose) = match self {
-            Self::Modulus => (Some(2.0 * interface.equivalent_modulus), ""),
-            Self::ShearModulus => (interface.equivalent_shear_modulus.map(|g| 8.0 * g), ""),
-            Self::ThermalConductivity => (interface.thermal_conductivity.map(|k| 2.0 * k), either),
-            Self::ElectricalResistivity => {
-                (interface.electrical_resistivity.map(|rho| 2.0 / rho), either)
-            }
-        };
-        let reason = || format!("{quantity}{whose} needs it");
-        factor.ok_or_else(|| ContactError::Missing { field: self.field(), reason: reason() })
-    }
+    let whose = match Body::NUMBERS.iter().any(|number| number.name == field) {
+        true => " (that of the interface, or those of both bodies)",
+        false => "",
+    };
+    Err(ContactError::Missing { field, reason: format!("{quantity}{whose} needs it") })
 }
 
 /// Refuses a quantity if the interface lacks an input for it.
 pub(crate) fn check(quantities: &[Quantity], interface: &Interface) -> Result<(), ContactError> {
-    quantities.iter().try_for_each(|quantity| match quantity.interface_property() {
-        Some(property) => property.on(interface, *quantity).map(drop),
-        None => Ok(()),
-    })
+    quantities.iter().try_for_each(|quantity| factor(*quantity, interface).map(drop))
 }
 
 pub(crate) const INCLINED: &str = "contacts are inclined";

@@ -179,3 +179,33 @@ pub trait Described: fmt::Debug + Send + Sync {
         Validity::default()
     }
 }
+
+/// What states of itself what another does: a model in a wrapper, the laws of a [`Variant`].
+///
+/// [`Variant`]: crate::Variant
+pub trait Wraps: fmt::Debug + Send + Sync {
+    /// The other.
+    fn inner(&self) -> &dyn Described;
+}
+
+impl<W: Wraps> Described for W {
+    fn citation(&self) -> &Citation {
+        self.inner().citation()
+    }
+
+    fn id(&self) -> &str {
+        self.inner().id()
+    }
+
+    fn name(&self) -> &str {
+        self.inner().name()
+    }
+
+    fn variant(&self) -> Vec<&'static str> {
+        self.inner().variant()
+    }
+
+    fn validity(&self) -> Validity {
+        self.inner().validity()
+    }
+}

@@ -72,31 +72,25 @@ impl Variant {
     }
 }
 
-/// A variant of a model: it has the citation and notes of that model, and its own id and name.
-pub trait IsVariant: std::fmt::Debug + Send + Sync {
-    /// The variant.
-    fn of(&self) -> &Variant;
-}
-
-impl<V: IsVariant> Described for V {
+/// It has the citation of the model, and its own id and name.
+impl Described for Variant {
     fn citation(&self) -> &Citation {
-        self.of().model.citation()
+        self.model.citation()
     }
 
     fn id(&self) -> &str {
-        &self.of().id
+        &self.id
     }
 
     fn name(&self) -> &str {
-        &self.of().name
+        &self.name
     }
 
     fn variant(&self) -> Vec<&'static str> {
-        let Variant { model, differs, .. } = self.of();
-        [model.variant(), vec![*differs]].concat()
+        [self.model.variant(), vec![self.differs]].concat()
     }
 
     fn validity(&self) -> Validity {
-        self.of().validity
+        self.validity
     }
 }

@@ -45,12 +45,6 @@ impl Request {
         self.at(loads.into_iter().map(At::Load))
     }
 
-    /// At separations in metres from the mean of the asperity heights.
-    #[must_use]
-    pub fn at_metres(self, separations: impl IntoIterator<Item = f64>) -> Self {
-        self.at(separations.into_iter().map(At::metres))
-    }
-
     /// With this tolerance.
     #[must_use]
     pub fn within(mut self, tolerance: Tolerance) -> Self {

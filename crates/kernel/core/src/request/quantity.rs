@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::request::quantity_table::{Derivation, InterfaceProperty};
-use crate::{ContactError, Evaluation, Quantity, Regime, nearest_name};
+use crate::{ContactError, Evaluation, Quantity, nearest_name};
 
 impl Quantity {
     /// What tells whether an answer is plausible.
@@ -55,15 +55,6 @@ impl Quantity {
         matches!(self.derivation(), Derivation::Logarithm(_) | Derivation::RegimeShare(_))
     }
 
-    /// The regime, for the share of a regime.
-    #[must_use]
-    pub fn regime(self) -> Option<Regime> {
-        match self.derivation() {
-            Derivation::RegimeShare(regime) => Some(regime),
-            _ => None,
-        }
-    }
-
     /// The quantity that gives this one its sign: the force for a pressure or its logarithm.
     pub(crate) fn origin(self) -> Self {
         match self.derivation() {
@@ -76,7 +67,7 @@ impl Quantity {
             | Derivation::Bodies => self,
             Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
             Derivation::Ratio(above, _) => above.origin(),
-            Derivation::ContactRadii(_) => Self::ContactRadiusSum,
+            Derivation::ContactRadii(..) => Self::ContactRadiusSum,
             Derivation::RegimeShare(_) => Self::Force,
         }
     }
@@ -118,7 +109,7 @@ impl Quantity {
     /// conductance of a joint.
     #[must_use]
     pub fn property(self) -> Option<&'static str> {
-        self.interface_property().map(InterfaceProperty::field)
+        self.interface_property().map(|property| property.0)
     }
 
     /// Whether the quantity is of flows through a map of the gap, which boundary elements have and
@@ -141,7 +132,8 @@ impl Quantity {
         !self.is_of_film() && !self.is_of_map() && !self.is_of_bodies()
     }
 
-    /// The property of the interface that this quantity needs, for a stiffness or a conductance.
+    /// The number of the interface that this quantity needs, for a stiffness or a conductance, and
+    /// the factor of the sum of the contact radii that follows from it.
     pub(crate) fn interface_property(self) -> Option<InterfaceProperty> {
         match self.derivation() {
             Derivation::ContactRadii(property) => Some(property),
@@ -194,10 +186,11 @@ impl FromStr for Quantity {
         };
         let near = nearest_name(&wanted, names.iter().map(String::as_str)).and_then(named);
         let near = near.or_else(|| named(synonym(&wanted)?));
-        Err(ContactError::UnknownQuantity {
+        Err(ContactError::UnknownName {
+            what: "quantity",
             name: name.into(),
-            near: near.map(|(quantity, _)| quantity),
-            known: names.join(", ") + beside,
+            near: near.map(|(quantity, _)| quantity.to_string()),
+            help: format!(": the quantities are {}{beside}", names.join(", ")),
         })
     }
 }

@@ -3,16 +3,15 @@
 use serde::{Deserialize, Serialize};
 
 use crate::Regime;
+use Derivation::{
+    Bodies, ContactRadii, Flow, Gap, Integral, IntegralOrSlope, Logarithm, Map, PerNominalArea,
+    Ratio, RegimeShare, Slope,
+};
+use Quantity::{Area, ElectricalConductance, Force, ThermalConductance};
 
-/// A property of the interface that turns the sum of the contact radii into a stiffness or a
-/// conductance.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum InterfaceProperty {
-    Modulus,
-    ShearModulus,
-    ThermalConductivity,
-    ElectricalResistivity,
-}
+/// A number of the interface by its name, and the factor of the sum of the contact radii that
+/// follows from it.
+pub(crate) type InterfaceProperty = (&'static str, fn(f64) -> f64);
 
 /// How a quantity follows from the laws of one asperity.
 #[derive(Debug, Clone, Copy)]
@@ -25,7 +24,7 @@ pub(crate) enum Derivation {
     Slope(Quantity),
     /// Over the nominal area.
     PerNominalArea(Quantity),
-    /// The sum of the contact radii times a property of the interface.
+    /// The sum of the contact radii times a factor that a number of the interface gives.
     ContactRadii(InterfaceProperty),
     /// One integral over another.
     Ratio(Quantity, Quantity),
@@ -55,10 +54,8 @@ pub(crate) struct Entry {
 }
 
 macro_rules! quantities {
-    ($($(#[$remark:meta])* $variant:ident {
-        name: $name:literal, symbol: $symbol:literal, unit: $unit:literal, label: $label:literal,
-        definition: $definition:literal, derivation: $derivation:expr $(,)?
-    })*) => {
+    ($($(#[$remark:meta])* $variant:ident $name:literal $symbol:literal $unit:literal
+        $label:literal ($derivation:expr) $definition:literal;)*) => {
         /// A quantity of the whole contact, by the name users ask for it.
         ///
         /// ```
@@ -112,242 +109,127 @@ macro_rules! quantities {
     };
 }
 
+// Of each its name, symbol, unit, label, derivation and definition.
 quantities! {
-    Force {
-        name: "force", symbol: "F", unit: "N", label: "force",
-        definition: "Normal force between the surfaces, over the whole nominal area.",
-        derivation: Derivation::Integral,
-    }
-    Area {
-        name: "area", symbol: "A", unit: "m2", label: "real contact area",
-        definition: "Real contact area: the sum of the areas of all contacts.",
-        derivation: Derivation::Integral,
-    }
-    Stiffness {
-        name: "stiffness", symbol: "K", unit: "N/m", label: "stiffness",
-        definition: "Stiffness as the model's paper defines it: the tangent for models of upright \
-            asperities, an average of asperity stiffnesses for Gao and AT.",
-        derivation: Derivation::IntegralOrSlope(Quantity::Force),
-    }
-    Tangent {
-        name: "tangent", symbol: "-dF/dd", unit: "N/m", label: "tangent stiffness",
-        definition: "Fall of the force with the separation, -dF/dd, jumps of the law included; of \
-            yielded boundary elements the chord between pressures up to 5 % to either side.",
-        derivation: Derivation::Slope(Quantity::Force),
-    }
-    Pressure {
-        name: "pressure", symbol: "p", unit: "Pa", label: "pressure",
-        definition: "Force over the nominal area.",
-        derivation: Derivation::PerNominalArea(Quantity::Force),
-    }
-    AreaFraction {
-        name: "area-fraction", symbol: "A/A_n", unit: "", label: "real over nominal area",
-        definition: "Real contact area over the nominal area.",
-        derivation: Derivation::PerNominalArea(Quantity::Area),
-    }
-    Contacts {
-        name: "contacts", symbol: "N", unit: "", label: "number of contacts",
-        definition: "Number of asperities in contact.",
-        derivation: Derivation::Integral,
-    }
+    Force "force" "F" "N" "force" (Integral)
+        "Normal force between the surfaces, over the whole nominal area.";
+    Area "area" "A" "m2" "real contact area" (Integral)
+        "Real contact area: the sum of the areas of all contacts.";
+    Stiffness "stiffness" "K" "N/m" "stiffness" (IntegralOrSlope(Force))
+        "Stiffness as the model's paper defines it: the tangent for models of upright asperities, \
+        an average of asperity stiffnesses for Gao and AT.";
+    Tangent "tangent" "-dF/dd" "N/m" "tangent stiffness" (Slope(Force))
+        "Fall of the force with the separation, -dF/dd, jumps of the law included; of yielded \
+        boundary elements the chord between pressures up to 5 % to either side.";
+    Pressure "pressure" "p" "Pa" "pressure" (PerNominalArea(Force))
+        "Force over the nominal area.";
+    AreaFraction "area-fraction" "A/A_n" "" "real over nominal area" (PerNominalArea(Area))
+        "Real contact area over the nominal area.";
+    Contacts "contacts" "N" "" "number of contacts" (Integral)
+        "Number of asperities in contact.";
     /// Needs upright asperities with circular contacts.
-    ContactRadiusSum {
-        name: "contact-radius-sum", symbol: "sum a", unit: "m", label: "sum of contact radii",
-        definition: "Sum of the radii a = (A/pi)^(1/2) of all contacts.",
-        derivation: Derivation::Integral,
-    }
+    ContactRadiusSum "contact-radius-sum" "sum a" "m" "sum of contact radii" (Integral)
+        "Sum of the radii a = (A/pi)^(1/2) of all contacts.";
     /// Small vibrations, ultrasound and modal tests measure this slope. First loading follows the
     /// tangent, which is smaller where asperities yield. For contacts with adhesion (JKR) it holds
     /// for motions so small that the edges of the contacts stay in place.
-    UnloadingStiffness {
-        name: "unloading-stiffness", symbol: "K_u", unit: "N/m", label: "unloading stiffness",
-        definition: "Stiffness at the start of elastic unloading, 2 E times the sum of contact radii.",
-        derivation: Derivation::ContactRadii(InterfaceProperty::Modulus),
-    }
+    UnloadingStiffness "unloading-stiffness" "K_u" "N/m" "unloading stiffness"
+        (ContactRadii(("equivalent_modulus", |modulus| 2.0 * modulus)))
+        "Stiffness at the start of elastic unloading, 2 E times the sum of contact radii.";
     /// Needs the equivalent shear modulus.
-    TangentialStiffness {
-        name: "tangential-stiffness", symbol: "K_t", unit: "N/m", label: "tangential stiffness",
-        definition: "Tangential stiffness in full stick (Mindlin), 8 G times the sum of contact radii.",
-        derivation: Derivation::ContactRadii(InterfaceProperty::ShearModulus),
-    }
+    TangentialStiffness "tangential-stiffness" "K_t" "N/m" "tangential stiffness"
+        (ContactRadii(("equivalent_shear_modulus", |modulus| 8.0 * modulus)))
+        "Tangential stiffness in full stick (Mindlin), 8 G times the sum of contact radii.";
     /// Needs the thermal conductivity.
-    ThermalConductance {
-        name: "thermal-conductance", symbol: "C_t", unit: "W/K", label: "thermal conductance",
-        definition: "Thermal conductance of contacts far from each other, 2 k times the sum of \
-            contact radii.",
-        derivation: Derivation::ContactRadii(InterfaceProperty::ThermalConductivity),
-    }
+    ThermalConductance "thermal-conductance" "C_t" "W/K" "thermal conductance"
+        (ContactRadii(("thermal_conductivity", |k| 2.0 * k)))
+        "Thermal conductance of contacts far from each other, 2 k times the sum of contact radii.";
     /// Needs the electrical resistivity.
-    ElectricalConductance {
-        name: "electrical-conductance", symbol: "C_e", unit: "S", label: "electrical conductance",
-        definition: "Electrical conductance of contacts far from each other, 2/rho times the sum of \
-            contact radii.",
-        derivation: Derivation::ContactRadii(InterfaceProperty::ElectricalResistivity),
-    }
-    ThermalConductancePerArea {
-        name: "thermal-conductance-per-area", symbol: "C_t/A_n", unit: "W/m2/K",
-        label: "thermal conductance per area",
-        definition: "Thermal conductance over the nominal area.",
-        derivation: Derivation::PerNominalArea(Quantity::ThermalConductance),
-    }
-    ElectricalConductancePerArea {
-        name: "electrical-conductance-per-area", symbol: "C_e/A_n", unit: "S/m2",
-        label: "electrical conductance per area",
-        definition: "Electrical conductance over the nominal area.",
-        derivation: Derivation::PerNominalArea(Quantity::ElectricalConductance),
-    }
-    MeanPressure {
-        name: "mean-pressure", symbol: "F/A", unit: "Pa", label: "mean contact pressure",
-        definition: "Force over the real contact area.",
-        derivation: Derivation::Ratio(Quantity::Force, Quantity::Area),
-    }
-    LnForce {
-        name: "ln-force", symbol: "ln F", unit: "ln N", label: "logarithm of the force",
-        definition: "Natural logarithm of the absolute force in newtons, also where the force \
-            itself underflows.",
-        derivation: Derivation::Logarithm(Quantity::Force),
-    }
-    LnArea {
-        name: "ln-area", symbol: "ln A", unit: "ln m2", label: "logarithm of the real contact area",
-        definition: "Natural logarithm of the absolute real contact area in square metres, also \
-            where the area itself underflows.",
-        derivation: Derivation::Logarithm(Quantity::Area),
-    }
+    ElectricalConductance "electrical-conductance" "C_e" "S" "electrical conductance"
+        (ContactRadii(("electrical_resistivity", |rho| 2.0 / rho)))
+        "Electrical conductance of contacts far from each other, 2/rho times the sum of contact \
+        radii.";
+    ThermalConductancePerArea "thermal-conductance-per-area" "C_t/A_n" "W/m2/K"
+        "thermal conductance per area" (PerNominalArea(ThermalConductance))
+        "Thermal conductance over the nominal area.";
+    ElectricalConductancePerArea "electrical-conductance-per-area" "C_e/A_n" "S/m2"
+        "electrical conductance per area" (PerNominalArea(ElectricalConductance))
+        "Electrical conductance over the nominal area.";
+    MeanPressure "mean-pressure" "F/A" "Pa" "mean contact pressure" (Ratio(Force, Area))
+        "Force over the real contact area.";
+    LnForce "ln-force" "ln F" "ln N" "logarithm of the force" (Logarithm(Force))
+        "Natural logarithm of the absolute force in newtons, also where the force itself \
+        underflows.";
+    LnArea "ln-area" "ln A" "ln m2" "logarithm of the real contact area" (Logarithm(Area))
+        "Natural logarithm of the absolute real contact area in square metres, also where the \
+        area itself underflows.";
     /// Negative shares belong to models that subtract a part of their law.
-    ElasticShare {
-        name: "elastic-share", symbol: "F_e/F", unit: "", label: "elastic share of the force",
-        definition: "Share of the force on elastic asperities.",
-        derivation: Derivation::RegimeShare(Regime::Elastic),
-    }
-    ElasticPlasticShare {
-        name: "elastic-plastic-share", symbol: "F_ep/F", unit: "",
-        label: "elastic-plastic share of the force",
-        definition: "Share of the force on elastic-plastic asperities.",
-        derivation: Derivation::RegimeShare(Regime::ElasticPlastic),
-    }
-    PlasticShare {
-        name: "plastic-share", symbol: "F_p/F", unit: "", label: "plastic share of the force",
-        definition: "Share of the force on plastic asperities.",
-        derivation: Derivation::RegimeShare(Regime::Plastic),
-    }
-    GapConductancePerArea {
-        name: "gap-conductance-per-area", symbol: "h_g", unit: "W/m2/K",
-        label: "conductance of the gas per area",
-        definition: "Thermal conductance of the gas over the nominal area, k_g/(gap + gas parameter) \
-            between the mean planes; of whole-surface models with the mean open gap, times the open \
-            share of the area.",
-        derivation: Derivation::Gap,
-    }
-    JointConductancePerArea {
-        name: "joint-conductance-per-area", symbol: "h_j", unit: "W/m2/K",
-        label: "conductance of the joint per area",
-        definition: "Thermal conductance of the contacts and of the gas over the nominal area.",
-        derivation: Derivation::Gap,
-    }
-    PressureFlowFactorX {
-        name: "pressure-flow-factor-x", symbol: "phi_x", unit: "", label: "pressure flow factor along x",
-        definition: "Mean flow along x, the direction of sliding, under a pressure gradient, over \
-            that between smooth surfaces at the same film.",
-        derivation: Derivation::Flow,
-    }
-    PressureFlowFactorY {
-        name: "pressure-flow-factor-y", symbol: "phi_y", unit: "", label: "pressure flow factor along y",
-        definition: "Mean flow across the direction of sliding under a pressure gradient, over that \
-            between smooth surfaces at the same film.",
-        derivation: Derivation::Flow,
-    }
-    ShearFlowFactor {
-        name: "shear-flow-factor", symbol: "phi_s", unit: "", label: "shear flow factor",
-        definition: "Additional flow that sliding rough surfaces carry, over half the sliding speed \
-            times sigma; positive if the first surface moves.",
-        derivation: Derivation::Flow,
-    }
-    FrictionFlowFactor {
-        name: "friction-flow-factor", symbol: "phi_f", unit: "", label: "friction factor of the film",
-        definition: "Film times the mean of 1/(local gap), gaps below a cut-off left out: the mean \
-            shear stress over that of smooth surfaces.",
-        derivation: Derivation::Flow,
-    }
-    FrictionShearFactor {
-        name: "friction-shear-factor", symbol: "phi_fs", unit: "", label: "friction shear factor",
-        definition: "Correction of the mean shear stress on the surfaces by their roughness, in \
-            (phi_f +- phi_fs) times viscosity times sliding speed over film.",
-        derivation: Derivation::Flow,
-    }
-    FrictionPressureFactor {
-        name: "friction-pressure-factor", symbol: "phi_fp", unit: "", label: "friction pressure factor",
-        definition: "Factor of the mean shear stress by a pressure gradient, half the film times the \
-            gradient.",
-        derivation: Derivation::Flow,
-    }
-    HydraulicGapX {
-        name: "hydraulic-gap-x", symbol: "h_x", unit: "m", label: "hydraulic gap along x",
-        definition: "Even gap that lets as much fluid pass along the rows of the scan as the gap of \
-            the contact, 0 where no open path is left.",
-        derivation: Derivation::Map,
-    }
-    HydraulicGapY {
-        name: "hydraulic-gap-y", symbol: "h_y", unit: "m", label: "hydraulic gap along y",
-        definition: "Even gap that lets as much fluid pass along the columns of the scan as the gap \
-            of the contact, 0 where no open path is left.",
-        derivation: Derivation::Map,
-    }
-    EffectiveMediumGap {
-        name: "effective-medium-gap", symbol: "h_m", unit: "m",
-        label: "hydraulic gap of the effective medium",
-        definition: "Estimate of the hydraulic gap from the distribution of the gap alone \
-            (Bruggeman), 0 where half of the area or more is closed.",
-        derivation: Derivation::Map,
-    }
-    Approach {
-        name: "approach", symbol: "delta", unit: "m", label: "approach of the bodies",
-        definition: "How far curved bodies have approached from where they would first touch, the \
-            rough one at the mean of its asperity heights.",
-        derivation: Derivation::Bodies,
-    }
-    ApproachBeyondHertz {
-        name: "approach-beyond-hertz", symbol: "delta-delta_H", unit: "m",
-        label: "approach beyond smooth bodies",
-        definition: "Approach of curved bodies less that of smooth ones at the same load.",
-        derivation: Derivation::Bodies,
-    }
-    PeakPressure {
-        name: "peak-pressure", symbol: "p_0", unit: "Pa", label: "peak pressure",
-        definition: "Largest pressure between curved bodies, averaged over many asperities.",
-        derivation: Derivation::Bodies,
-    }
-    PeakPressureRatio {
-        name: "peak-pressure-ratio", symbol: "p_0/p_H", unit: "", label: "peak pressure over Hertz'",
-        definition: "Peak pressure over the peak pressure of smooth bodies at the same load.",
-        derivation: Derivation::Bodies,
-    }
-    AxisX {
-        name: "axis-x", symbol: "a", unit: "m", label: "half axis of the patch along x",
-        definition: "Half axis of the patch of curved bodies along x, by the mean square of x with \
-            the pressure as weight: Hertz' for smooth bodies.",
-        derivation: Derivation::Bodies,
-    }
-    AxisY {
-        name: "axis-y", symbol: "b", unit: "m", label: "half axis of the patch along y",
-        definition: "The same along y; of a line contact half its length.",
-        derivation: Derivation::Bodies,
-    }
-    EffectiveRadius {
-        name: "effective-radius", symbol: "a*", unit: "m", label: "effective radius of the patch",
-        definition: "Radius of a circular patch by Greenwood and Tripp, 3 pi/4 times the integral of \
-            p r over that of p.",
-        derivation: Derivation::Bodies,
-    }
-    CentralSeparation {
-        name: "central-separation", symbol: "d_0", unit: "m", label: "separation in the middle",
-        definition: "Separation in the middle of the patch of curved bodies, from the mean of the \
-            asperity heights.",
-        derivation: Derivation::Bodies,
-    }
-    CentralAreaFraction {
-        name: "central-area-fraction", symbol: "A/A_n(0)", unit: "",
-        label: "real over nominal area in the middle",
-        definition: "Share of real contact area in the middle of the patch of curved bodies.",
-        derivation: Derivation::Bodies,
-    }
+    ElasticShare "elastic-share" "F_e/F" ""
+        "elastic share of the force" (RegimeShare(Regime::Elastic))
+        "Share of the force on elastic asperities.";
+    ElasticPlasticShare "elastic-plastic-share" "F_ep/F" ""
+        "elastic-plastic share of the force" (RegimeShare(Regime::ElasticPlastic))
+        "Share of the force on elastic-plastic asperities.";
+    PlasticShare "plastic-share" "F_p/F" ""
+        "plastic share of the force" (RegimeShare(Regime::Plastic))
+        "Share of the force on plastic asperities.";
+    GapConductancePerArea "gap-conductance-per-area" "h_g" "W/m2/K"
+        "conductance of the gas per area" (Gap)
+        "Thermal conductance of the gas over the nominal area, k_g/(gap + gas parameter) between \
+        the mean planes; of whole-surface models with the mean open gap, times the open share of \
+        the area.";
+    JointConductancePerArea "joint-conductance-per-area" "h_j" "W/m2/K"
+        "conductance of the joint per area" (Gap)
+        "Thermal conductance of the contacts and of the gas over the nominal area.";
+    PressureFlowFactorX "pressure-flow-factor-x" "phi_x" "" "pressure flow factor along x" (Flow)
+        "Mean flow along x, the direction of sliding, under a pressure gradient, over that \
+        between smooth surfaces at the same film.";
+    PressureFlowFactorY "pressure-flow-factor-y" "phi_y" "" "pressure flow factor along y" (Flow)
+        "Mean flow across the direction of sliding under a pressure gradient, over that between \
+        smooth surfaces at the same film.";
+    ShearFlowFactor "shear-flow-factor" "phi_s" "" "shear flow factor" (Flow)
+        "Additional flow that sliding rough surfaces carry, over half the sliding speed times \
+        sigma; positive if the first surface moves.";
+    FrictionFlowFactor "friction-flow-factor" "phi_f" "" "friction factor of the film" (Flow)
+        "Film times the mean of 1/(local gap), gaps below a cut-off left out: the mean shear \
+        stress over that of smooth surfaces.";
+    FrictionShearFactor "friction-shear-factor" "phi_fs" "" "friction shear factor" (Flow)
+        "Correction of the mean shear stress on the surfaces by their roughness, in (phi_f +- \
+        phi_fs) times viscosity times sliding speed over film.";
+    FrictionPressureFactor "friction-pressure-factor" "phi_fp" "" "friction pressure factor" (Flow)
+        "Factor of the mean shear stress by a pressure gradient, half the film times the gradient.";
+    HydraulicGapX "hydraulic-gap-x" "h_x" "m" "hydraulic gap along x" (Map)
+        "Even gap that lets as much fluid pass along the rows of the scan as the gap of the \
+        contact, 0 where no open path is left.";
+    HydraulicGapY "hydraulic-gap-y" "h_y" "m" "hydraulic gap along y" (Map)
+        "Even gap that lets as much fluid pass along the columns of the scan as the gap of the \
+        contact, 0 where no open path is left.";
+    EffectiveMediumGap "effective-medium-gap" "h_m" "m"
+        "hydraulic gap of the effective medium" (Map)
+        "Estimate of the hydraulic gap from the distribution of the gap alone (Bruggeman), 0 \
+        where half of the area or more is closed.";
+    Approach "approach" "delta" "m" "approach of the bodies" (Bodies)
+        "How far curved bodies have approached from where they would first touch, the rough one \
+        at the mean of its asperity heights.";
+    ApproachBeyondHertz "approach-beyond-hertz" "delta-delta_H" "m"
+        "approach beyond smooth bodies" (Bodies)
+        "Approach of curved bodies less that of smooth ones at the same load.";
+    PeakPressure "peak-pressure" "p_0" "Pa" "peak pressure" (Bodies)
+        "Largest pressure between curved bodies, averaged over many asperities.";
+    PeakPressureRatio "peak-pressure-ratio" "p_0/p_H" "" "peak pressure over Hertz'" (Bodies)
+        "Peak pressure over the peak pressure of smooth bodies at the same load.";
+    AxisX "axis-x" "a" "m" "half axis of the patch along x" (Bodies)
+        "Half axis of the patch of curved bodies along x, by the mean square of x with the \
+        pressure as weight: Hertz' for smooth bodies.";
+    AxisY "axis-y" "b" "m" "half axis of the patch along y" (Bodies)
+        "The same along y; of a line contact half its length.";
+    EffectiveRadius "effective-radius" "a*" "m" "effective radius of the patch" (Bodies)
+        "Radius of a circular patch by Greenwood and Tripp, 3 pi/4 times the integral of p r over \
+        that of p.";
+    CentralSeparation "central-separation" "d_0" "m" "separation in the middle" (Bodies)
+        "Separation in the middle of the patch of curved bodies, from the mean of the asperity \
+        heights.";
+    CentralAreaFraction "central-area-fraction" "A/A_n(0)" ""
+        "real over nominal area in the middle" (Bodies)
+        "Share of real contact area in the middle of the patch of curved bodies.";
 }

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use asperity_quadrature::Moments;
 use serde::Serialize;
 
+use crate::law::contact_radii;
 use crate::request::quantity_table::Derivation;
 use crate::scene::place::SeparationInSigma;
 use crate::{ContactError, Quantity, Regime, Scene};
@@ -80,11 +81,10 @@ impl Evaluation {
         scene: &Scene,
         error: f64,
     ) -> Result<Option<Self>, ContactError> {
-        let Some(property) = quantity.interface_property() else { return Ok(None) };
         let per_area = matches!(quantity.derivation(), Derivation::PerNominalArea(_));
         let area = if per_area { scene.nominal_area } else { 1.0 };
-        let factor = property.on(&scene.interface, quantity)?;
-        Ok(Some(Self::new(sum * factor / area, error)))
+        let factor = contact_radii::factor(quantity, &scene.interface)?;
+        Ok(factor.map(|factor| Self::new(sum * factor / area, error)))
     }
 
     /// The value; 0 only where it is below the smallest number a double can hold.

@@ -1,9 +1,8 @@
 //! The scene: interface, surface, nominal area and heights.
 
 pub(crate) mod asperity;
-pub(crate) mod body;
 pub(crate) mod hardness;
-pub(crate) mod interface;
+pub(crate) mod material;
 pub(crate) mod pair;
 pub(crate) mod place;
 pub(crate) mod surface;

@@ -1,51 +1,173 @@
-//! The equivalent properties of two bodies in contact.
+//! The materials: the numbers of one body, and of the interface of two.
 
 use std::cmp::Ordering;
 
 use serde::{Deserialize, Serialize};
 
-use super::body::{
-    Body, check_conduction, check_tangent_modulus, hardness_and_yield, poissons_ratio,
-};
 use crate::ContactError;
-use crate::error::{positive, require};
+use crate::error::require;
 
-/// The equivalent properties of two bodies in contact, as the laws use them.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[non_exhaustive]
-pub struct Interface {
-    /// E \[Pa\]: 1/E = (1-ν₁²)/E₁ + (1-ν₂²)/E₂.
-    pub equivalent_modulus: f64,
-    /// G \[Pa\]: 1/G = (2-ν₁)/G₁ + (2-ν₂)/G₂ (Mindlin); the Gao and AT models need it.
-    #[serde(default)]
-    pub equivalent_shear_modulus: Option<f64>,
-    /// ν of the softer body, in (-1, 0.5].
-    pub poissons_ratio: f64,
-    /// Hardness of the softer body \[Pa\]; 2.8 times the yield strength if not given. Only the
-    /// elastic models (GW, Persson, DMT, JKR) work without either.
-    #[serde(default)]
-    pub hardness: Option<f64>,
-    /// Yield strength of the softer body \[Pa\]; the hardness over 2.8 if not given.
-    #[serde(default)]
-    pub yield_strength: Option<f64>,
-    /// Maximum contact pressure factor S; 0.454 + 0.41 ν if not given.
-    #[serde(default)]
-    pub pressure_factor: Option<f64>,
-    /// E_t \[Pa\] of two bodies with the same Young's modulus and Poisson's ratio, at least 0 and
-    /// below that modulus, 2 (1-ν²) E; used by Ghaednia's law only.
-    #[serde(default)]
-    pub tangent_modulus: Option<f64>,
-    /// k \[W/(m K)\]: 2/k = 1/k₁ + 1/k₂; used by the thermal conductance only.
-    #[serde(default)]
-    pub thermal_conductivity: Option<f64>,
-    /// ρ \[Ω m\]: 2ρ = ρ₁ + ρ₂; used by the electrical conductance only.
-    #[serde(default)]
-    pub electrical_resistivity: Option<f64>,
-    /// w_a = γ₁ + γ₂ - γ₁₂ \[J/m²\], at least 0: the work of adhesion of the two surfaces; used by
-    /// DMT and JKR only.
-    #[serde(default)]
-    pub work_of_adhesion: Option<f64>,
+/// Hardness over yield strength when only one of them is known (Tabor's ratio, as the JG and KE
+/// papers use it). \[seen\]
+pub const HARDNESS_OVER_YIELD: f64 = 2.8;
+
+/// A number of a [`Body`] or an [`Interface`].
+#[derive(Debug, Clone, Copy)]
+pub struct MaterialNumber<T: 'static> {
+    /// Its name.
+    pub name: &'static str,
+    /// The number in SI units, if it is set.
+    pub get: fn(&T) -> Option<f64>,
+    /// Whether it may have this value, and what is required.
+    must: fn(&T, f64) -> (bool, &'static str),
+}
+
+/// A struct of numbers: those that are always set, then the others, each with its meaning and what
+/// it must be.
+macro_rules! material {
+    ($(#[$about:meta])* $struct:ident
+        { $($(#[$means:meta])* $always:ident: $must:expr,)+ }
+        { $($(#[$says:meta])* $maybe:ident: $may:expr,)+ }) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+        #[serde(deny_unknown_fields)]
+        #[non_exhaustive]
+        pub struct $struct {
+            $($(#[$means])* pub $always: f64,)+
+            $($(#[$says])* pub $maybe: Option<f64>,)+
+        }
+
+        impl $struct {
+            /// Its numbers.
+            pub const NUMBERS: &'static [MaterialNumber<Self>] = &[
+                $(MaterialNumber {
+                    name: stringify!($always),
+                    get: |of| Some(of.$always),
+                    must: $must,
+                },)+
+                $(MaterialNumber { name: stringify!($maybe), get: |of| of.$maybe, must: $may },)+
+            ];
+
+            /// Without the other numbers: it never yields, such as rubber, and only GW, Persson,
+            /// DMT and JKR apply.
+            #[must_use]
+            pub fn elastic($($always: f64),+) -> Self {
+                Self { $($always,)+ $($maybe: None),+ }
+            }
+
+            fn check_numbers(&self) -> Result<(), ContactError> {
+                Self::NUMBERS.iter().try_for_each(|number| {
+                    let Some(value) = (number.get)(self) else { return Ok(()) };
+                    let (holds, required) = (number.must)(self, value);
+                    require(holds, number.name, value, required).map(drop)
+                })
+            }
+        }
+    };
+}
+
+fn above_0<T>(_: &T, value: f64) -> (bool, &'static str) {
+    (value.is_finite() && value > 0.0, "a finite number above 0")
+}
+
+fn poissons_ratio<T>(_: &T, value: f64) -> (bool, &'static str) {
+    (value > -1.0 && value <= 0.5, "a number above -1 and at most 0.5")
+}
+
+/// Of a tangent modulus beside Young's modulus.
+fn below(modulus: f64, tangent: f64) -> (bool, &'static str) {
+    ((0.0..modulus).contains(&tangent), "at least 0 and less than Young's modulus")
+}
+
+material! {
+    /// One elastic-plastic body.
+    Body {
+        /// Young's modulus \[Pa\], > 0.
+        youngs_modulus: above_0,
+        /// Poisson's ratio, in (-1, 0.5].
+        poissons_ratio: poissons_ratio,
+    } {
+        /// Hardness \[Pa\]; 2.8 times the yield strength if not given. Without either, the body
+        /// never yields: only the elastic models (GW, Persson, DMT, JKR) apply.
+        hardness: above_0,
+        /// Yield strength \[Pa\]; the hardness over 2.8 if not given.
+        yield_strength: above_0,
+        /// E_t \[Pa\], the slope of stress over strain beyond yielding, at least 0 and below E;
+        /// used by Ghaednia's law only.
+        tangent_modulus: |body, tangent| below(body.youngs_modulus, tangent),
+        /// Thermal conductivity k \[W/(m K)\]; used by the thermal conductance only.
+        thermal_conductivity: above_0,
+        /// Electrical resistivity ρ \[Ω m\]; used by the electrical conductance only.
+        electrical_resistivity: above_0,
+    }
+}
+
+material! {
+    /// The equivalent properties of two bodies in contact, as the laws use them.
+    Interface {
+        /// E \[Pa\]: 1/E = (1-ν₁²)/E₁ + (1-ν₂²)/E₂.
+        equivalent_modulus: above_0,
+        /// ν of the softer body, in (-1, 0.5].
+        poissons_ratio: poissons_ratio,
+    } {
+        /// G \[Pa\]: 1/G = (2-ν₁)/G₁ + (2-ν₂)/G₂ (Mindlin); the Gao and AT models need it.
+        equivalent_shear_modulus: above_0,
+        /// Hardness of the softer body \[Pa\]; 2.8 times the yield strength if not given. Only the
+        /// elastic models (GW, Persson, DMT, JKR) work without either.
+        hardness: above_0,
+        /// Yield strength of the softer body \[Pa\]; the hardness over 2.8 if not given.
+        yield_strength: above_0,
+        /// Maximum contact pressure factor S; 0.454 + 0.41 ν if not given.
+        pressure_factor: above_0,
+        /// E_t \[Pa\] of two bodies with the same Young's modulus and Poisson's ratio, at least 0
+        /// and below that modulus, 2 (1-ν²) E; used by Ghaednia's law only.
+        tangent_modulus: |of, tangent| {
+            below(2.0 * (1.0 - of.poissons_ratio.powi(2)) * of.equivalent_modulus, tangent)
+        },
+        /// k \[W/(m K)\]: 2/k = 1/k₁ + 1/k₂; used by the thermal conductance only.
+        thermal_conductivity: above_0,
+        /// ρ \[Ω m\]: 2ρ = ρ₁ + ρ₂; used by the electrical conductance only.
+        electrical_resistivity: above_0,
+        /// w_a = γ₁ + γ₂ - γ₁₂ \[J/m²\], at least 0: the work of adhesion of the two surfaces;
+        /// used by DMT and JKR only.
+        work_of_adhesion: |_, work| {
+            (work >= 0.0 && work.is_finite(), "a finite number, at least 0,")
+        },
+    }
+}
+
+impl Body {
+    /// A body with this hardness.
+    #[must_use]
+    pub fn new(youngs_modulus: f64, poissons_ratio: f64, hardness: f64) -> Self {
+        Self { hardness: Some(hardness), ..Self::elastic(youngs_modulus, poissons_ratio) }
+    }
+
+    /// A body with this yield strength \[Pa\]; the hardness follows.
+    #[must_use]
+    pub fn yielding(youngs_modulus: f64, poissons_ratio: f64, yield_strength: f64) -> Self {
+        let yield_strength = Some(yield_strength);
+        Self { yield_strength, ..Self::elastic(youngs_modulus, poissons_ratio) }
+    }
+
+    /// Checks every number; returns hardness and yield strength \[Pa\], if there is either.
+    fn check(&self) -> Result<[Option<f64>; 2], ContactError> {
+        self.check_numbers()?;
+        Ok(hardness_and_yield(self.hardness, self.yield_strength))
+    }
+
+    /// (1-ν²)/E and (2-ν)/G with G = E/(2(1+ν)).
+    fn compliances(&self) -> (f64, f64) {
+        let (e, nu) = (self.youngs_modulus, self.poissons_ratio);
+        ((1.0 - nu * nu) / e, (2.0 - nu) * 2.0 * (1.0 + nu) / e)
+    }
+}
+
+/// Each is derived from the other if only one is given.
+fn hardness_and_yield(hardness: Option<f64>, yield_strength: Option<f64>) -> [Option<f64>; 2] {
+    let by_yield = yield_strength.map(|y| y * HARDNESS_OVER_YIELD);
+    let by_hardness = hardness.map(|h| h / HARDNESS_OVER_YIELD);
+    [hardness.or(by_yield), yield_strength.or(by_hardness)]
 }
 
 impl Interface {
@@ -53,18 +175,7 @@ impl Interface {
     /// the softer body; set the public fields for the rest.
     #[must_use]
     pub fn new(equivalent_modulus: f64, poissons_ratio: f64, hardness: f64) -> Self {
-        Self {
-            equivalent_modulus,
-            equivalent_shear_modulus: None,
-            poissons_ratio,
-            hardness: Some(hardness),
-            yield_strength: None,
-            pressure_factor: None,
-            tangent_modulus: None,
-            thermal_conductivity: None,
-            electrical_resistivity: None,
-            work_of_adhesion: None,
-        }
+        Self { hardness: Some(hardness), ..Self::elastic(equivalent_modulus, poissons_ratio) }
     }
 
     /// Two deformable bodies, in either order. Hardness, yield strength and ν are of the body
@@ -77,8 +188,8 @@ impl Interface {
     /// [`ContactError`] naming the field, of either body, that is out of range.
     pub fn between(first: &Body, second: &Body) -> Result<Self, ContactError> {
         let (one, other) = (first.check()?, second.check()?);
-        let both_yield = one.0.is_some() && other.0.is_some();
-        let rank = |body: &Body, (hardness, yields): (Option<f64>, Option<f64>)| {
+        let both_yield = one[0].is_some() && other[0].is_some();
+        let rank = |body: &Body, [hardness, yields]: [Option<f64>; 2]| {
             let softness = if both_yield { hardness } else { Some(body.youngs_modulus) };
             let unset = f64::INFINITY;
             [softness.unwrap_or(unset), yields.unwrap_or(unset), body.poissons_ratio]
@@ -86,27 +197,26 @@ impl Interface {
         let order = rank(first, one).partial_cmp(&rank(second, other));
         let softer = if order == Some(Ordering::Greater) { second } else { first };
         let (a, b) = (first.compliances(), second.compliances());
-        let both = |of: fn(&Body) -> Option<f64>| of(first).zip(of(second));
-        // Written as ratios, so that no product overflows.
-        let conductivities = both(|body| body.thermal_conductivity);
-        let resistivities = both(|body| body.electrical_resistivity);
+        let mean = |of: fn(&Body) -> Option<f64>, mean: fn(f64, f64) -> f64| {
+            Some(mean(of(first)?, of(second)?))
+        };
         let alike = first.youngs_modulus.total_cmp(&second.youngs_modulus).is_eq()
             && first.poissons_ratio.total_cmp(&second.poissons_ratio).is_eq();
         let hardens_alike = order != Some(Ordering::Equal)
             || first.tangent_modulus.partial_cmp(&second.tangent_modulus) == order;
         Ok(Self {
             tangent_modulus: softer.tangent_modulus.filter(|_| alike && hardens_alike),
-            thermal_conductivity: conductivities.map(|(a, b)| Self::mean_conductivity(a, b)),
-            electrical_resistivity: resistivities.map(|(a, b)| 0.5 * a + 0.5 * b),
+            // Written so that no product overflows.
+            thermal_conductivity: mean(
+                |body| body.thermal_conductivity,
+                |a, b| 2.0 * a / (1.0 + a / b),
+            ),
+            electrical_resistivity: mean(
+                |body| body.electrical_resistivity,
+                |a, b| 0.5 * a + 0.5 * b,
+            ),
             ..Self::of_body(softer, (a.0 + b.0, a.1 + b.1))
         })
-    }
-
-    /// The thermal conductivity of an interface, 2 k₁ k₂/(k₁ + k₂), from its bodies', both
-    /// above 0; all in W/(m K).
-    #[must_use]
-    pub fn mean_conductivity(first: f64, second: f64) -> f64 {
-        2.0 * first / (1.0 + first / second)
     }
 
     /// A deformable body on a rigid one. Conductivity and resistivity are not set: those of the
@@ -129,34 +239,16 @@ impl Interface {
         }
     }
 
-    /// An interface that never yields, such as rubber on glass: for GW, Persson, DMT and JKR only.
-    #[must_use]
-    pub fn elastic(equivalent_modulus: f64, poissons_ratio: f64) -> Self {
-        Self { hardness: None, ..Self::new(equivalent_modulus, poissons_ratio, 0.0) }
-    }
-
     /// Checks every field; returns hardness and yield strength \[Pa\], if there is either, and
     /// the pressure factor.
     ///
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.
     pub fn check(&self) -> Result<(Option<f64>, Option<f64>, f64), ContactError> {
-        positive("equivalent_modulus", self.equivalent_modulus)?;
-        let shear = self.equivalent_shear_modulus;
-        shear.map(|shear| positive("equivalent_shear_modulus", shear)).transpose()?;
-        poissons_ratio(self.poissons_ratio)?;
-        let alike = 2.0 * (1.0 - self.poissons_ratio.powi(2)) * self.equivalent_modulus;
-        check_tangent_modulus(self.tangent_modulus, alike)?;
-        check_conduction(self.thermal_conductivity, self.electrical_resistivity)?;
-        let work = self.work_of_adhesion.unwrap_or(0.0);
-        let holds = work >= 0.0 && work.is_finite();
-        require(holds, "work_of_adhesion", work, "a finite number, at least 0,")?;
-        let (hardness, yield_strength) = hardness_and_yield(self.hardness, self.yield_strength)?;
-        let factor = match self.pressure_factor {
-            Some(factor) => positive("pressure_factor", factor)?,
-            // Chang, Etsion & Bogy; positive for every ν allowed. [seen]
-            None => 0.454 + 0.41 * self.poissons_ratio,
-        };
+        self.check_numbers()?;
+        let [hardness, yield_strength] = hardness_and_yield(self.hardness, self.yield_strength);
+        // Chang, Etsion & Bogy; positive for every ν allowed. [seen]
+        let factor = self.pressure_factor.unwrap_or(0.454 + 0.41 * self.poissons_ratio);
         Ok((hardness, yield_strength, factor))
     }
 
