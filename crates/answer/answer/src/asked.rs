@@ -115,7 +115,7 @@ impl Asked {
         if file.spec.curvature.is_some() {
             return [Findings::default(), Findings::default()];
         }
-        let found = file.findings_of(&self.model, &*self.contact, places);
+        let found = file.judge(&self.model, Some(&*self.contact), places);
         let notes = match self.model.validity().asperities {
             true => Findings::default(),
             false => {

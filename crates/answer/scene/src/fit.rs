@@ -162,7 +162,7 @@ impl SceneFile {
         // Whether a law holds does not depend on what is accepted.
         file.spec.accept.clear();
         let places = places(&**model, &file.scene, rig, data);
-        let unusual = file.findings_at(&**model, &places).at_least(Severity::Warning);
+        let unusual = file.judge(&**model, None, &places).at_least(Severity::Warning);
         fitted.findings.extend(unusual);
         Ok(fitted)
     }
