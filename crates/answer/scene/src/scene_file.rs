@@ -3,19 +3,18 @@
 use std::sync::Arc;
 
 use asperity::{
-    ContactError, Datum, Findings, HeightDistribution, Scene, Separation, SeparationUnit,
+    Code, ContactError, Datum, Findings, HeightDistribution, Scene, Separation, SeparationUnit,
     SolvedContact, Surface, TabulatedHeights,
 };
 use asperity_topography::Topography;
 
 use crate::error::SceneError;
-use crate::gap::Gas;
 use crate::input::SceneInput;
 use crate::measured::{Measured, Scan};
 use crate::origin::Provenance;
 use crate::resolve::resolve;
 use crate::roughness::Roughness;
-use crate::spec::{Bodies, Description, HeightsSpec, SceneSpec};
+use crate::spec::{Bodies, Description, Gas, HeightsSpec, SceneSpec};
 use crate::unknown::Unknown;
 
 /// A scene with what was written about it, and where.
@@ -62,6 +61,14 @@ impl SceneFile {
         let (scene, measured) = resolve(&spec).map_err(|fault| fault.source)?;
         let (warnings, solved) = Default::default();
         Ok(Self { spec, scene, measured, warnings, solved, ranges: vec![], origin: None })
+    }
+
+    /// Accepts warnings and notes of these codes, too.
+    #[must_use]
+    pub fn accepting(mut self, codes: &[Code]) -> Self {
+        self.spec.accept.extend_from_slice(codes);
+        self.warnings = self.warnings.silenced(codes);
+        self
     }
 
     /// The bodies from which the interface follows, if given.

@@ -68,9 +68,8 @@ impl SceneFile {
         }
         top.insert("options".into(), spec.options.changed().into());
         for (input, Unknown { ends, .. }) in &self.ranges {
-            let (section, key) = input.place(&spec.bodies);
-            let ends = Value::from(ends.to_vec());
-            section_mut(&mut top, &section).map(|table| table.insert(key.into(), ends));
+            let table = section_mut(&mut top, input.section(&spec.bodies));
+            table.map(|table| table.insert(input.key.into(), ends.to_vec().into()));
         }
         let mut sections = String::new();
         for name in ["body", "interface", "surface", "curvature", "gap", "options"] {
