@@ -51,14 +51,15 @@ impl SceneFile {
             found.retain(|found| found.code != Code::FewAsperities);
             found.extend(given);
         } else if self.no_asperities().is_none() {
-            let names = self.spec.follows_from(&self.scene);
-            let first = of_asperities.first().cloned().and_then(Finding::with_stated_unit);
-            match names.is_empty() {
-                true => found.extend(of_asperities),
-                false => found.extend(first.map(|found| {
-                    let found = found.from_origin(format!("asperities from {}", names.join(", ")));
-                    found.advice("check these numbers and their units")
-                })),
+            match self.spec.follows_from() {
+                None => found.extend(of_asperities),
+                Some(numbers) => {
+                    let first = of_asperities.into_iter().next();
+                    found.extend(first.and_then(Finding::with_stated_unit).map(|found| {
+                        let found = found.from_origin(format!("asperities from {numbers}"));
+                        found.advice("check these numbers and their units")
+                    }));
+                }
             }
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
@@ -210,18 +211,11 @@ impl SceneFile {
             (false, true) => (2, second),
             _ => return None,
         };
-        let without = self.scene.interface.check().is_ok_and(|(hardness, ..)| hardness.is_none());
-        let advice = match without {
-            true => {
-                "it has the lower youngs_modulus and is taken as the softer one, so that only elastic models work"
-            }
-            false => "the other body is assumed to be the softer one",
-        };
         let modulus = body.youngs_modulus;
         let finding = Finding::warning(Code::NoHardness, "youngs_modulus", modulus)
             .unit("Pa")
             .fact(format!("body[{k}] has neither hardness nor yield_strength"))
-            .advice(advice);
+            .advice("only elastic models work if it is the softer one, which is assumed of the other body or of the one with the lower youngs_modulus");
         // No warning for rubber on glass.
         (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
     }

@@ -6,11 +6,11 @@ use asperity::fit::{
     Data, Fit, FitError, Fitted, MeasuredTable, Parameter, Progress, Rig, Role, USUAL_FACTOR,
     places, predict,
 };
-use asperity::{Best, Described, Findings, Interface, Model, Severity, short, unusual};
+use asperity::{Best, Described, Findings, Model, Severity, short, unusual};
 
 use crate::error::{Place, SceneError};
 use crate::free::{Free, unit_of_free};
-use crate::keys::{BODY, Key, key_of_input};
+use crate::keys::{BODY, Field, Key, key_of_input};
 use crate::scene_file::SceneFile;
 
 impl SceneFile {
@@ -83,36 +83,26 @@ impl SceneFile {
     /// The reason against one value of both bodies for a number in which they differ, even where
     /// the contact depends on the softer one only: which one that is may change in a fit.
     fn unlike_bodies(&self, name: &str) -> Option<String> {
-        let field = BODY.iter().find(|field| field.name == name)?;
+        let field = Field::of(BODY, name)?;
         let [first, second] = self.bodies() else { return None };
         let values = [first, second].map(|body| (field.get)(body));
         let bits = values.map(|value| value.map(f64::to_bits));
+        let shown = values.map(|value| value.map_or_else(|| "none".into(), short));
         (bits[0] != bits[1]).then(|| {
-            let unit = unit_of_free(name).map_or(String::new(), |unit| format!(" {unit}"));
-            let shown = |value| format!("{}{unit}", short(value));
-            let [one, two] = values.map(|value| value.map_or_else(|| "none".into(), shown));
+            let [one, two] = shown;
             format!("the bodies differ in it ({one} and {two}): free body1_{name} or body2_{name}")
         })
     }
 
-    /// A hardness that follows from the yield strength of the same body or interface, or that
-    /// strength from the hardness.
+    /// A hardness that follows from a yield strength, or the strength from the hardness of both
+    /// bodies.
     fn derived(&self, name: &str) -> Option<f64> {
-        let key = key_of_input(name);
-        let settled = self.spec.bodies.settled(&mut |one| one.middle());
-        let body = match name.strip_suffix(key) {
-            Some("body1_") => settled.list().first(),
-            Some("body2_") => settled.list().get(1),
-            _ => None,
-        };
-        let mut scene = self.scene.clone();
-        if let Some(body) = body {
-            scene.interface = Interface::against_rigid(body).ok()?;
-        }
-        let asperity = scene.asperity().ok()?;
-        match key {
-            "hardness" => asperity.hardness,
-            "yield_strength" => asperity.yield_strength,
+        let range = self.unknowns().into_iter().find(|one| one.name == name);
+        let asperity = || self.scene.asperity().ok();
+        match (range, name) {
+            (Some(range), _) => Some(range.middle()),
+            (None, "hardness") => asperity()?.hardness,
+            (None, "yield_strength") => asperity()?.yield_strength,
             _ => None,
         }
     }

@@ -14,6 +14,7 @@ use crate::heights::{compare_std, heights};
 use crate::input::SceneInput;
 use crate::interface::bodies;
 use crate::keys::{COUNTERFACE, CURVATURE, joined, keys_of};
+use crate::measured::Scan;
 use crate::options::ModelOptions;
 use crate::resolve::resolve;
 use crate::scans::{Asked, Scans, density};
@@ -141,7 +142,7 @@ fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scan
         }),
         false => None,
     };
-    let spec = SceneSpec {
+    let mut spec = SceneSpec {
         counterface: second,
         is_smooth,
         pressed,
@@ -153,13 +154,22 @@ fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scan
         accept,
         ..SceneSpec::new(bodies, first, nominal_area)
     };
+    let has_asperities = |scan: &&Arc<Scan>| {
+        scan.measured.as_ref().is_some_and(|own| own.statistics.surface().is_ok())
+    };
+    let scan = spec.single_scan().filter(has_asperities).filter(|_| spec.heights.is_measured);
+    if let Some((scan, scans)) = scan.zip(scans.as_ref()) {
+        let points = density(&scan.topography).map_err(|why| scans.refused(document, &why))?;
+        let table = TabulatedHeights::new("measured", &points);
+        let table = HeightsSpec::of_table(table.map_err(document.refused("surface"))?);
+        spec.heights = HeightsSpec { is_measured: true, ..table };
+    }
     Ok((spec, scans))
 }
 
 pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
-    let (mut spec, scans) = spec(document, asked)?;
-    let resolved = |spec: &SceneSpec| resolve(spec).map_err(|fault| refused(document, spec, fault));
-    let (mut scene, measured) = resolved(&spec)?;
+    let (spec, scans) = spec(document, asked)?;
+    let (scene, measured) = resolve(&spec).map_err(|fault| refused(document, &spec, fault))?;
     let mut found = vec![];
     if let Some((scans, together)) = scans.as_ref().zip(measured.as_ref()) {
         let no_asperities = together.statistics.surface().err();
@@ -168,14 +178,6 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
             return Err(scans.refused(document, reason));
         }
         found.extend(scans.notes(document, &together.statistics));
-        let is_measured = spec.heights.is_measured && no_asperities.is_none();
-        if let Some(scan) = spec.scan().filter(|_| is_measured) {
-            let points = density(scan).map_err(|reason| scans.refused(document, &reason))?;
-            let table = TabulatedHeights::new("measured", &points);
-            let table = table.map_err(document.refused("surface"))?;
-            spec.heights = HeightsSpec { is_measured, ..HeightsSpec::of_table(table) };
-            (scene, _) = resolved(&spec)?;
-        }
     }
     found.extend(notes(document, &spec, &scene));
     if let (Some(table), false) = (&spec.heights.table, spec.heights.is_measured) {
@@ -191,7 +193,7 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
             return Err(document.conflict(&key, source, needed));
         }
     }
-    let is_map = spec.scan().is_some_and(|scan| height_map(scan).is_ok());
+    let is_map = spec.single_scan().is_some_and(|scan| height_map(&scan.topography).is_ok());
     if let Some(exponent) = spec.options.hurst_exponent.filter(|_| is_map) {
         let at = document.place("options.hurst_exponent");
         let note = Finding::warning(Code::HurstExponent, "hurst_exponent", exponent)

@@ -86,13 +86,20 @@ impl SceneFile {
     /// The scan of the surface, levelled and filtered, if there is exactly one.
     #[must_use]
     pub fn scan(&self) -> Option<&Topography> {
-        self.spec.scan()
+        Some(&self.spec.single_scan()?.topography)
     }
 
-    /// The numbers from which the asperities follow, if they are not given directly or measured.
+    /// The numbers from which the asperities follow, if they are not given directly or measured: of
+    /// two surfaces by numbers the sums of their moments.
     #[must_use]
     pub fn roughness(&self) -> Option<Roughness> {
-        self.spec.roughness(&self.scene)
+        let first = self.spec.surface.roughness()?;
+        let Some(second) = &self.spec.counterface else {
+            return Some(first).filter(|only| only.way.is_of_surface());
+        };
+        let [one, two] = self.scene.pair?.surfaces;
+        let own = first.moments(&one.asperities);
+        Some(Roughness::of_moments(own.plus(&second.roughness()?.moments(&two.asperities))))
     }
 
     /// The keys of numbers in a unit that is not decimal, such as psi or HV, and these in one:
