@@ -1,7 +1,7 @@
 //! What is known best about a scene at loads, in the lines that a reader needs.
 
 use asperity::{
-    At, Best, BestContact, Compared, ContactEngine, Datum, Described, Model, Other, Quantity,
+    At, Best, BestContact, Code, Compared, ContactEngine, Datum, Described, Model, Other, Quantity,
     Request, Separation, SeparationUnit, SolvedContact, Source, Tolerance,
 };
 use asperity_scene::SceneFile;
@@ -11,7 +11,7 @@ use crate::models::grouped;
 use crate::number::{fixed, prefixed};
 use crate::ranges::with_ranges;
 use crate::subject::Outcome;
-use crate::truth::{Truths, unranked};
+use crate::truth::{Truths, uncertain};
 use crate::{Cell, Sheet, Silent, Watch};
 
 /// The mean gap, which every answer has.
@@ -200,8 +200,8 @@ pub fn solve(file: &SceneFile, at: &[At], watch: &dyn Watch) -> Outcome<Vec<Solv
         return Err(error.into());
     }
     let solved = truths.found.into_iter().map(|truth| {
-        let codes = truth.notes.iter().map(|note| note.code).collect();
-        let uncertain = unranked(&[codes]).map(|[why, _]| why.into());
+        let codes: Vec<Code> = truth.notes.iter().map(|note| note.code).collect();
+        let uncertain = uncertain(&codes).map(Into::into);
         SolvedContact { pressure: truth.pressure, values: truth.bem, uncertain }
     });
     Ok(solved.collect())

@@ -115,7 +115,7 @@ impl Asked {
         if file.spec.curvature.is_some() {
             return [Findings::default(), Findings::default()];
         }
-        let found = file.findings_of(&self.model, &*self.contact, places);
+        let found = file.judge(&self.model, Some(&*self.contact), places);
         let notes = match self.model.validity().asperities {
             true => Findings::default(),
             false => {
@@ -255,8 +255,8 @@ impl Asked {
                 what: format!("{quantity}: the mean planes are {} m apart", short(gap)),
             });
         };
-        let value = open * gap_conductance(gas.conductivity, gap, gas.parameter)?;
-        let of_gap = error / open / (gap + gas.parameter);
+        let value = open * gap_conductance(gas.gas_conductivity, gap, gas.gas_parameter)?;
+        let of_gap = error / open / (gap + gas.gas_parameter);
         let of_gas = Evaluation::new(value, 1e-15 + of_gap + of_area);
         match quantity {
             Quantity::JointConductancePerArea => {

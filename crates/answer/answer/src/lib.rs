@@ -45,8 +45,8 @@ pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};
 pub use subject::{Subject, unit_warning};
 pub use truth::{
-    ContactState, Truth, Truths, beside_table, compare_with_bem, compared, heads, summary, truth,
-    truth_of, unranked,
+    ContactState, Truth, Truths, beside_table, compare_with_bem, compared, heads, truth, truth_of,
+    uncertain,
 };
 pub use unloading::{Retreats, unloading};
 pub use unloading_scan::unloading_scan;

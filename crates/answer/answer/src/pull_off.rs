@@ -42,7 +42,7 @@ pub fn pull_off(
             sheet.add(&[id], [Cell::BLANK]);
             continue;
         };
-        sheet.report(file, file.findings_at(model, &[found.separation.into()]));
+        sheet.report(file, file.judge(model, None, &[found.separation.into()]));
         let (force, at) = (found.force.value(), found.separation);
         note_reduction(sheet, id, force, scene);
         let [sigma, metres] = [SeparationUnit::Sigma, SeparationUnit::Metres]

@@ -3,7 +3,6 @@
 mod best;
 mod check;
 mod evidence;
-mod ranking;
 #[doc(hidden)]
 pub mod recommended;
 
@@ -13,5 +12,4 @@ pub use evidence::{
     Compared, Estimate, Evidence, EvidenceCase, EvidenceRow, ExpectedContact, SurfaceShape,
     compile_known,
 };
-pub use ranking::nearest_in_each;
 pub use recommended::usual_reference;

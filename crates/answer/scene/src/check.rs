@@ -3,7 +3,7 @@
 
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
-    Advice, At, Check, Code, Contact, ContactError, ContactModel, Finding, Findings,
+    Advice, At, Check, Code, Contact, ContactError, ContactModel, DerivedNumber, Finding, Findings,
     HeightDistribution, Plausible, ProfileMoments, unusual,
 };
 use asperity_topography::Statistics;
@@ -12,6 +12,7 @@ use crate::evidence::KURTOSIS;
 use crate::keys::{INTERFACE, OF_PAIR};
 use crate::measured::Measured;
 use crate::scene_file::SceneFile;
+use crate::unknown::Unknown;
 
 /// The range of the skewness of nearly Gaussian heights.
 const SKEWNESS: [f64; 2] = [-0.8, 0.8];
@@ -50,14 +51,15 @@ impl SceneFile {
             found.retain(|found| found.code != Code::FewAsperities);
             found.extend(given);
         } else if self.no_asperities().is_none() {
-            let names = self.spec.follows_from(&self.scene);
-            let first = of_asperities.first().cloned().and_then(Finding::with_stated_unit);
-            match names.is_empty() {
-                true => found.extend(of_asperities),
-                false => found.extend(first.map(|found| {
-                    let found = found.from_origin(format!("asperities from {}", names.join(", ")));
-                    found.advice("check these numbers and their units")
-                })),
+            match self.spec.follows_from() {
+                None => found.extend(of_asperities),
+                Some(numbers) => {
+                    let first = of_asperities.into_iter().next();
+                    found.extend(first.and_then(Finding::with_stated_unit).map(|found| {
+                        let found = found.from_origin(format!("asperities from {numbers}"));
+                        found.advice("check these numbers and their units")
+                    }));
+                }
             }
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
@@ -127,15 +129,35 @@ impl SceneFile {
     }
 
     /// The derived numbers of the scene and, for a model, at a separation or load, with findings;
-    /// the numbers of a surface that are known within ranges come first, and others have the ends
-    /// that follow from these.
+    /// the numbers that are known within ranges come first, and others have the ends that follow
+    /// from these.
     ///
     /// # Errors
     /// The errors of [`Check::at`].
     pub fn check(&self, place: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
-        if !self.unknowns().is_empty() {
-            return self.check_ranges(place);
+        let points = self.points()?;
+        let mut check = points.middle.answered(place)?;
+        let all = points.all.iter().map(|point| point.answered(place));
+        let all = all.collect::<Result<Vec<_>, _>>()?;
+        for number in &mut check.numbers {
+            let found = all.iter().filter_map(|point| point.number(&number.name));
+            number.ends = Unknown::spanned(number.value, found);
         }
+        let is_given = |of: &DerivedNumber| points.unknowns.iter().any(|one| one.name == of.name);
+        check.numbers.retain(|number| !is_given(number));
+        check.numbers.splice(0..0, points.unknowns.iter().map(Unknown::derived));
+        let asperities = place.is_none_or(|(model, _)| model.validity().asperities);
+        check.extend(points.middle.findings().for_asperities(asperities));
+        let found = all.iter().enumerate();
+        let found = found.flat_map(|(k, one)| one.findings.iter().map(move |found| (k, found)));
+        check.extend(points.worst(&check.findings, found));
+        check.findings = self.accepted(check.findings);
+        Ok(check)
+    }
+
+    /// The numbers of the scene and of a model at a place, with findings of the answer; these may
+    /// be consequences of an implausible input, of which there are none then.
+    fn answered(&self, place: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
         let mut check = match place {
             Some((model, at)) => Check::at(model, &self.scene, at)?,
             None => Check::of(&self.scene)?,
@@ -143,16 +165,9 @@ impl SceneFile {
         if self.spec.curvature.is_some() {
             check.numbers.retain(|one| !["nominal_area", "asperities"].contains(&&*one.name));
         }
-        // Findings about an answer may be consequences of an implausible input.
-        let of_scene = self.findings();
-        let valid = !of_scene.are_implausible();
+        let valid = place.is_some() && !self.findings().are_implausible();
         let of_answer = std::mem::take(&mut check.findings).into_iter();
-        let of_answer = of_answer.filter(|finding| valid && finding.model.is_some());
-        check.findings = of_answer.collect();
-        check.extend(of_scene);
-        if let Some((model, _)) = place {
-            check.keep_for(model);
-        }
+        check.findings = of_answer.filter(|found| valid && found.model.is_some()).collect();
         if let Some(Measured { statistics, pixel_size, .. }) = self.measured.as_deref() {
             let slope = (2.0 * statistics.m2).sqrt();
             for (name, value, unit, meaning) in [
@@ -167,32 +182,24 @@ impl SceneFile {
             }
             check.extend(self.below_a_pixel(&check, *pixel_size));
         }
-        check.findings = self.accepted(check.findings);
         Ok(check)
     }
 
     /// Unusual results of a model at these separations or loads; none if an input is implausible,
-    /// of which they may be a consequence.
+    /// of which they may be a consequence. A `contact` of the model on this scene is not compiled
+    /// again.
     #[must_use]
-    pub fn findings_at(&self, model: &dyn ContactModel, places: &[At]) -> Findings {
-        self.judge(model, || Check::answers(model, &self.scene, places))
-    }
-
-    /// [`findings_at`](Self::findings_at) of a contact of the model on this scene, which is not
-    /// compiled again.
-    #[must_use]
-    pub fn findings_of(
+    pub fn judge(
         &self,
         model: &dyn ContactModel,
-        contact: &dyn Contact,
+        contact: Option<&dyn Contact>,
         places: &[At],
     ) -> Findings {
-        self.judge(model, || Check::answers_of(model, contact, places))
-    }
-
-    fn judge(&self, model: &dyn ContactModel, judged: impl Fn() -> Findings) -> Findings {
         let known = self.findings().for_asperities(model.validity().asperities);
-        if known.are_implausible() { Findings::default() } else { self.accepted(judged()) }
+        match known.are_implausible() {
+            true => Findings::default(),
+            false => self.accepted(Check::answers(model, &self.scene, contact, places)),
+        }
     }
 
     /// A warning if one body has a hardness and the other has none, which is probably an omission.
@@ -204,18 +211,11 @@ impl SceneFile {
             (false, true) => (2, second),
             _ => return None,
         };
-        let without = self.scene.interface.check().is_ok_and(|(hardness, ..)| hardness.is_none());
-        let advice = match without {
-            true => {
-                "it has the lower youngs_modulus and is taken as the softer one, so that only elastic models work"
-            }
-            false => "the other body is assumed to be the softer one",
-        };
         let modulus = body.youngs_modulus;
         let finding = Finding::warning(Code::NoHardness, "youngs_modulus", modulus)
             .unit("Pa")
             .fact(format!("body[{k}] has neither hardness nor yield_strength"))
-            .advice(advice);
+            .advice("only elastic models work if it is the softer one, which is assumed of the other body or of the one with the lower youngs_modulus");
         // No warning for rubber on glass.
         (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
     }

@@ -3,14 +3,14 @@
 use std::ops::ControlFlow;
 
 use asperity::fit::{
-    Data, Fit, FitError, Fitted, Measured, MeasuredTable, Observation, Parameter, Progress, Rig,
-    Role, USUAL_FACTOR, places, predict,
+    Data, Fit, FitError, Fitted, MeasuredTable, Parameter, Progress, Rig, Role, USUAL_FACTOR,
+    places, predict,
 };
-use asperity::{At, Best, Described, Findings, Interface, Model, Quantity, Scene, Severity, short};
+use asperity::{Best, Described, Findings, Model, Severity, short, unusual};
 
 use crate::error::{Place, SceneError};
-use crate::free::{Free, bounds_in_other_unit, unit_of_free};
-use crate::keys::{BODY, key_of_input};
+use crate::free::{Free, unit_of_free};
+use crate::keys::{BODY, Field, Key, key_of_input};
 use crate::scene_file::SceneFile;
 
 impl SceneFile {
@@ -44,22 +44,10 @@ impl SceneFile {
 
     fn free_parameter(&self, free: &Free, data: &Data) -> Result<Parameter, SceneError> {
         let std = self.scene.surface.asperity_height_std;
-        let (start, usual, scale) = match Role::of(&free.name) {
-            Role::SeparationOffset => {
-                let [low, high] =
-                    readings(data).ok_or_else(|| without_effect(&free.name, "separation_m"))?;
-                let beyond = USUAL_FACTOR * std;
-                // Contacts carry most loads at separations of about twice the deviation.
-                let start = 0.5 * (low + high) - 2.0 * std;
-                (Some(start), Some([low - beyond, high + beyond]), std)
-            }
-            Role::SeriesCompliance => {
-                let usual = usual_compliance(data, &self.scene).ok_or_else(|| {
-                    without_effect(&free.name, "separation_m or a normal stiffness")
-                })?;
-                (Some(usual), Some([usual / USUAL_FACTOR, usual * USUAL_FACTOR]), usual)
-            }
-            _ => {
+        let role = Role::of(&free.name);
+        let (start, usual, scale) = match role.usual(data, &self.scene)? {
+            Some((start, bounds, scale)) => (Some(start), Some(bounds), scale),
+            None => {
                 let input = self.inputs([free.name.as_str()])?;
                 if let Some(reason) = self.unlike_bodies(&free.name) {
                     return Err(refused(&free.name, reason));
@@ -81,12 +69,11 @@ impl SceneFile {
             let reason = "the scene gives no value above 0 to start from: give bounds,";
             return Err(refused(&free.name, format!("{reason} {}=low:high", free.name)));
         };
-        // What a rig adds has no value in the scene to compare with.
-        let known = start.filter(|_| !free.has_unit && Role::of(&free.name) == Role::Scene);
-        if let Some(reason) =
-            known.and_then(|known| bounds_in_other_unit(&free.name, known, [low, high]))
-        {
-            return Err(refused(&free.name, reason));
+        let key = Key::find("", key_of_input(&free.name));
+        let unusual = |bound| unusual(key?.name, bound)?.likely_unit;
+        let is_plain = !free.has_unit && role == Role::Scene;
+        if let (true, Some(unit), Some(_)) = (is_plain, unusual(low), unusual(high)) {
+            return Err(refused(&free.name, format!("{unit}: give both bounds a unit")));
         }
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
         let start = start.unwrap_or(middle);
@@ -96,36 +83,26 @@ impl SceneFile {
     /// The reason against one value of both bodies for a number in which they differ, even where
     /// the contact depends on the softer one only: which one that is may change in a fit.
     fn unlike_bodies(&self, name: &str) -> Option<String> {
-        let field = BODY.iter().find(|field| field.name == name)?;
+        let field = Field::of(BODY, name)?;
         let [first, second] = self.bodies() else { return None };
         let values = [first, second].map(|body| (field.get)(body));
         let bits = values.map(|value| value.map(f64::to_bits));
+        let shown = values.map(|value| value.map_or_else(|| "none".into(), short));
         (bits[0] != bits[1]).then(|| {
-            let unit = unit_of_free(name).map_or(String::new(), |unit| format!(" {unit}"));
-            let shown = |value| format!("{}{unit}", short(value));
-            let [one, two] = values.map(|value| value.map_or_else(|| "none".into(), shown));
+            let [one, two] = shown;
             format!("the bodies differ in it ({one} and {two}): free body1_{name} or body2_{name}")
         })
     }
 
-    /// A hardness that follows from the yield strength of the same body or interface, or that
-    /// strength from the hardness.
+    /// A hardness that follows from a yield strength, or the strength from the hardness of both
+    /// bodies.
     fn derived(&self, name: &str) -> Option<f64> {
-        let key = key_of_input(name);
-        let settled = self.spec.bodies.settled(&mut |one| one.middle());
-        let body = match name.strip_suffix(key) {
-            Some("body1_") => settled.list().first(),
-            Some("body2_") => settled.list().get(1),
-            _ => None,
-        };
-        let mut scene = self.scene.clone();
-        if let Some(body) = body {
-            scene.interface = Interface::against_rigid(body).ok()?;
-        }
-        let asperity = scene.asperity().ok()?;
-        match key {
-            "hardness" => asperity.hardness,
-            "yield_strength" => asperity.yield_strength,
+        let range = self.unknowns().into_iter().find(|one| one.name == name);
+        let asperity = || self.scene.asperity().ok();
+        match (range, name) {
+            (Some(range), _) => Some(range.middle()),
+            (None, "hardness") => asperity()?.hardness,
+            (None, "yield_strength") => asperity()?.yield_strength,
             _ => None,
         }
     }
@@ -162,7 +139,7 @@ impl SceneFile {
         // Whether a law holds does not depend on what is accepted.
         file.spec.accept.clear();
         let places = places(&**model, &file.scene, rig, data);
-        let unusual = file.findings_at(&**model, &places).at_least(Severity::Warning);
+        let unusual = file.judge(&**model, None, &places).at_least(Severity::Warning);
         fitted.findings.extend(unusual);
         Ok(fitted)
     }
@@ -210,50 +187,6 @@ impl SceneFile {
     }
 }
 
-fn without_effect(name: &str, needed: &str) -> SceneError {
-    refused(name, format!("the data have no column that depends on it: {needed} was required"))
-}
-
 fn refused(parameter: &str, reason: String) -> SceneError {
     FitError::Parameter { parameter: parameter.into(), reason }.into()
-}
-
-/// The smallest and the largest reading of a separation.
-fn readings(data: &Data) -> Option<[f64; 2]> {
-    let reading = |one: &Observation| match (one.at, one.measured) {
-        (At::Separation(reading), _) => Some(reading.value),
-        (_, Measured::Separation) => Some(one.value),
-        _ => None,
-    };
-    span(data.iter().filter_map(reading))
-}
-
-fn span(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    let join = |found: Option<[f64; 2]>, value: f64| {
-        let [low, high] = found.unwrap_or([value; 2]);
-        Some([low.min(value), high.max(value)])
-    };
-    values.fold(None, join)
-}
-
-/// A tenth of the smallest compliance that was measured, or of the readings over the loads.
-fn usual_compliance(data: &Data, scene: &Scene) -> Option<f64> {
-    let stiffness = |one: &&Observation| {
-        let stiffnesses = [Quantity::Stiffness, Quantity::Tangent, Quantity::UnloadingStiffness];
-        matches!(one.measured, Measured::Quantity(quantity) if stiffnesses.contains(&quantity))
-    };
-    if let Some([_, stiffest]) = span(data.iter().filter(stiffness).map(|one| one.value)) {
-        return Some(0.1 / stiffest).filter(|usual| *usual > 0.0 && usual.is_finite());
-    }
-    let load = |one: &Observation| match (one.at, one.measured) {
-        (at, Measured::Separation) => at.load(scene),
-        (At::Separation(_), Measured::Quantity(Quantity::Force)) => Some(one.value),
-        (At::Separation(_), Measured::Quantity(Quantity::Pressure)) => {
-            At::Pressure(one.value).load(scene)
-        }
-        _ => None,
-    };
-    let ([near, far], [least, most]) = (readings(data)?, span(data.iter().filter_map(load))?);
-    let usual = 0.1 * (far - near) / (most - least);
-    Some(usual).filter(|usual| *usual > 0.0 && usual.is_finite())
 }

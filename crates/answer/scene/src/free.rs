@@ -1,13 +1,9 @@
 //! Free parameters as they are typed: `name=low:high`.
 
 use asperity::fit::Role;
-use asperity::{UNITS, short};
 
 use crate::keys::key_of_input;
 use crate::quantity::{quantity, quantity_of, unit_of};
-
-/// Bounds that are farther from the scene's value than this factor may be in another unit.
-const FAR: f64 = 100.0;
 
 /// A free parameter: an input of a scene by its name, `separation_offset` or `series_compliance`,
 /// with its bounds in SI units if they are given.
@@ -75,23 +71,4 @@ pub(crate) fn unit_of_free(name: &str) -> Option<&'static str> {
         Role::SeriesCompliance => Some("m/N"),
         _ => unit_of(key_of_input(name)),
     }
-}
-
-/// The reason against bounds far from the scene's value that are near it in another unit.
-pub(crate) fn bounds_in_other_unit(
-    name: &str,
-    start: f64,
-    [low, high]: [f64; 2],
-) -> Option<String> {
-    let is_far = low > FAR * start || FAR * high < start;
-    let (si, _, units) = UNITS.into_iter().find(|(si, ..)| Some(*si) == unit_of_free(name))?;
-    let size = |power: i32| 10f64.powi(power);
-    let holds = |power: i32| (low * size(power)..=high * size(power)).contains(&start);
-    let (unit, power) = units.iter().filter(|_| is_far).find(|(_, power)| holds(*power))?;
-    // 1/mm2 behind a number is /mm2.
-    let behind = unit.trim_start_matches('1');
-    let [low, high, meant, start] = [low, high, low * size(*power), start].map(short);
-    Some(format!(
-        "the bounds {low} and {high} look like {unit}; {low} {unit} is {meant} {si}, and the scene has {start} {si}: write {name}={low}{behind}:{high}{behind}"
-    ))
 }

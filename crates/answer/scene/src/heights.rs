@@ -27,7 +27,7 @@ const DIFFERENT: f64 = 0.05;
     deny_unknown_fields,
     expecting = "\"gaussian\" or \"exponential\" or \"measured\" or { skewness = -0.5 } or { height_m = [-1e-6, 0, 2e-6], density_per_m = [0, 6e5, 0] } or { file = \"pdf.csv\" }"
 )]
-pub(crate) enum HeightsKey {
+enum HeightsKey {
     #[default]
     Gaussian,
     Exponential,
@@ -47,40 +47,25 @@ pub(crate) enum HeightsKey {
     },
 }
 
-impl HeightsKey {
-    /// The table from the file or from the points.
-    pub(crate) fn table(
-        &self,
-        document: &Document<'_>,
-    ) -> Result<Option<TabulatedHeights>, SceneError> {
-        match self {
-            Self::Table { file } => read_heights(document, file).map(Some),
-            Self::Points { height_m, density_per_m } => {
-                inline_heights(document, height_m, density_per_m).map(Some)
-            }
-            _ => Ok(None),
+/// The distribution that is written; of measured heights without its table.
+pub(crate) fn heights(document: &Document<'_>) -> Result<HeightsSpec, SceneError> {
+    Ok(match document.get("surface.heights")?.unwrap_or_default() {
+        HeightsKey::Gaussian => HeightsSpec::default(),
+        HeightsKey::Exponential => HeightDistribution::Exponential.into(),
+        HeightsKey::Measured => HeightsSpec { is_measured: true, ..HeightsSpec::default() },
+        HeightsKey::Skewed { skewness } => {
+            let heights = WeibullHeights::new(skewness);
+            let heights = heights.map_err(document.refused("surface.heights"))?;
+            HeightDistribution::Weibull(heights).into()
         }
-    }
-
-    /// The heights with this table, from the key or of the summits of a scan.
-    pub(crate) fn spec(
-        &self,
-        document: &Document<'_>,
-        table: Option<TabulatedHeights>,
-    ) -> Result<HeightsSpec, SceneError> {
-        let (is_measured, file) = match self {
-            Self::Skewed { skewness } => {
-                let heights = WeibullHeights::new(*skewness);
-                let heights = heights.map_err(document.refused("surface.heights"))?;
-                return Ok(HeightDistribution::Weibull(heights).into());
-            }
-            Self::Exponential => return Ok(HeightDistribution::Exponential.into()),
-            Self::Table { file } => (false, Some(document.whole_path(file))),
-            other => (matches!(other, Self::Measured), None),
-        };
-        let of_table = table.map(HeightsSpec::of_table).unwrap_or_default();
-        Ok(HeightsSpec { is_measured, file, ..of_table })
-    }
+        HeightsKey::Points { height_m, density_per_m } => {
+            HeightsSpec::of_table(inline_heights(document, &height_m, &density_per_m)?)
+        }
+        HeightsKey::Table { file } => {
+            let table = HeightsSpec::of_table(read_heights(document, &file)?);
+            HeightsSpec { file: Some(document.whole_path(&file)), ..table }
+        }
+    })
 }
 
 /// The table of `heights = { height_m = [...], density_per_m = [...] }`.

@@ -5,6 +5,7 @@
 use asperity::{Body, Interface, Surface, UNITS, Units};
 
 use crate::curvature::Curvature;
+use crate::spec::{Gas, SceneSpec, SurfaceSpec};
 
 /// A key of a scene file.
 #[derive(Debug, Clone, Copy)]
@@ -105,9 +106,10 @@ macro_rules! keys {
 }
 
 keys! {
-    "" Scene {
+    "" Scene numbers SCENE in SceneSpec {
         nominal_area("m^2" ", the apparent area of contact"
             also "a_n area" "" form "Nominal area" "1 cm2")
+    } {
         rigid_counterface("" "with one [[body]] only: the counterface is rigid")
         work_of_adhesion("J/m^2" ", of the two bodies together; only dmt and jkr need it"
             also "adhesion adhesion_energy surface_energy energy_of_adhesion gamma"
@@ -237,10 +239,10 @@ keys! {
         length("m" ", of a line contact" form "Length" "20 mm")
         reference_length("m" ", in the deflection of a line contact: its approach depends on it")
     } {}
-    "gap" Gap {
+    "gap" Gap numbers GAP in Gas {
         gas_conductivity("W/(m K)" ", of the gas in the gap; air has 0.026")
         gas_parameter("m" ", temperature-jump distance: about 0.37 um for air at 1 bar, 0 for a liquid")
-    }
+    } {}
     "options" Options {
         angle_density("" "of gao and at; or \"upright\"")
         displacement("" "\"none\", { zeta = 0.1, xi = 0.1 }")
@@ -251,6 +253,37 @@ keys! {
         boundary("" "of bem: \"periodic\", \"periodic-part\" or \"free\"")
         elastic("" "of bem: true ignores the hardness")
         hurst_exponent("" "of a power-law spectrum for the gaps of persson: without a scan, or instead of it")
+    }
+}
+
+/// The numbers of one rough surface beside those that describe it.
+pub(crate) const OWN: &[Field<SurfaceSpec>] = &[
+    Field {
+        name: "mean_plane_offset",
+        get: |of| of.mean_plane_offset,
+        set: |of, value| of.mean_plane_offset = Some(value),
+    },
+    Field {
+        name: "peklenik_number",
+        get: |of| of.peklenik_number,
+        set: |of, value| of.peklenik_number = Some(value),
+    },
+];
+
+impl<T> Field<T> {
+    /// The one of a key, if there is one.
+    pub(crate) fn of(fields: &'static [Self], key: &str) -> Option<&'static Self> {
+        fields.iter().find(|field| field.name == key)
+    }
+
+    /// The number of a key.
+    pub(crate) fn value(fields: &'static [Self], key: &str, of: &T) -> Option<f64> {
+        (Self::of(fields, key)?.get)(of)
+    }
+
+    /// Replaces the number of a key.
+    pub(crate) fn put(fields: &'static [Self], key: &str, of: &mut T, value: f64) {
+        Self::of(fields, key).into_iter().for_each(|field| (field.set)(of, value));
     }
 }
 

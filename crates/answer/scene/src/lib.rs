@@ -2,7 +2,6 @@
 
 // This crate takes models from the facade's registry only, and does no arithmetic on results.
 
-mod accept;
 mod cells;
 mod check;
 mod conduction;
@@ -15,7 +14,6 @@ mod finish;
 mod finishes;
 mod fit;
 mod free;
-mod gap;
 mod height_map;
 mod heights;
 mod input;
@@ -52,7 +50,6 @@ pub use document::HandedFiles;
 pub use error::{Place, SceneError};
 pub use finish::Drawing;
 pub use free::Free;
-pub use gap::Gas;
 pub use height_map::{height_map, open_seam};
 pub use heights::write_heights;
 pub use input::SceneInput;
@@ -71,7 +68,7 @@ pub use ranges::Points;
 pub use read::{load, load_scan, parse, parse_handed};
 pub use roughness::{Roughness, Way};
 pub use scene_file::SceneFile;
-pub use spec::{Bodies, Description, HeightsSpec, SceneSpec, SurfaceSpec, interface_of};
+pub use spec::{Bodies, Description, Gas, HeightsSpec, SceneSpec, SurfaceSpec, interface_of};
 pub use template::{template, template_on};
 /// Keys of a section with their values.
 pub use toml::Table as Keys;

@@ -138,12 +138,11 @@ pub fn materials_like(word: &str) -> Vec<&'static Material> {
 /// The nearest id to an unknown one, and what was required: the materials of its kind where there
 /// are several.
 pub(crate) fn suggestion(unknown: &str) -> (Option<&'static str>, String) {
-    let near = nearest_name(unknown, materials().iter().map(|material| &*material.id));
     let like: Vec<&str> = materials_like(unknown).iter().map(|material| &*material.id).collect();
-    let listed = || "a material of the list".into();
+    let near = nearest_name(unknown, materials().iter().map(|material| &*material.id));
     match like[..] {
-        [] => (near, listed()),
-        [only] => (Some(only), listed()),
+        [] => (near, "a material of the list".into()),
+        [only] => (Some(only), "a material of the list".into()),
         _ => (near, format!("one of {}", like.join(", "))),
     }
 }

@@ -2,9 +2,7 @@
 
 use std::path::PathBuf;
 
-use asperity_topography::{
-    Alignment, Distance, Estimator, LengthUnit, Level, ReadOptions, Topography, TopographyError,
-};
+use asperity_topography::{Alignment, Estimator, Level, ReadOptions, Topography, TopographyError};
 use serde::Deserialize;
 use toml::Table;
 
@@ -33,16 +31,9 @@ pub struct MeasuredKeys {
     pub fill_missing: bool,
     /// Whether outliers are replaced.
     pub despike: bool,
-    unit: Option<LengthUnit>,
-    pixel_size: Option<PixelSize>,
-    max_missing: Option<f64>,
-    channel: Option<String>,
-    units: Option<Vec<LengthUnit>>,
-    columns: Option<String>,
-    skip_lines: usize,
-    missing: Option<f64>,
-    factor: Option<f64>,
-    delimiter: Option<char>,
+    /// What a file may not say itself.
+    #[serde(flatten)]
+    pub options: ReadOptions,
 }
 
 /// `aligned`: whether points of two scans meet, and which.
@@ -51,17 +42,6 @@ pub struct MeasuredKeys {
 enum Aligned {
     Known(bool),
     Turned(Alignment),
-}
-
-/// `pixel_size` of square pixels, or along a row and along a column.
-#[derive(Debug, Clone, Copy, Deserialize)]
-#[serde(
-    untagged,
-    expecting = "a length in the unit of the heights or with its own (\"0.5 um\"), or a list of two, along a row and a column,"
-)]
-enum PixelSize {
-    Square(Distance),
-    Rectangle([Distance; 2]),
 }
 
 impl MeasuredKeys {
@@ -77,38 +57,6 @@ impl MeasuredKeys {
         match self.aligned? {
             Aligned::Known(known) => known.then_some(Alignment::AsRead),
             Aligned::Turned(alignment) => Some(alignment),
-        }
-    }
-
-    /// With these options of reading.
-    #[must_use]
-    pub fn reading(self, options: ReadOptions) -> Self {
-        let ReadOptions { unit, pixel_size, max_missing, channel, .. } = options;
-        let ReadOptions { units, columns, skip_lines, missing, factor, delimiter, .. } = options;
-        let (pixel_size, max_missing) = (pixel_size.map(PixelSize::Rectangle), Some(max_missing));
-        let read = Self { unit, pixel_size, max_missing, channel, units, columns, ..self };
-        Self { skip_lines, missing, factor, delimiter, ..read }
-    }
-
-    /// What a file may not say itself.
-    #[must_use]
-    pub fn options(&self) -> ReadOptions {
-        let pixel_size = self.pixel_size.map(|size| match size {
-            PixelSize::Square(side) => [side; 2],
-            PixelSize::Rectangle(sides) => sides,
-        });
-        let max_missing = self.max_missing.unwrap_or(ReadOptions::default().max_missing);
-        ReadOptions {
-            unit: self.unit,
-            pixel_size,
-            max_missing,
-            channel: self.channel.clone(),
-            units: self.units.clone(),
-            columns: self.columns.clone(),
-            skip_lines: self.skip_lines,
-            missing: self.missing,
-            factor: self.factor,
-            delimiter: self.delimiter,
         }
     }
 

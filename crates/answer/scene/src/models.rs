@@ -148,12 +148,7 @@ impl SceneFile {
             Finding::note(Code::OtherJoint, "asperity_radius", self.scene.surface.asperity_radius)
                 .fact(fact)
                 .advice("describe the second surface by counterface to compare them on one joint");
-        (!self.has_counterface()).then_some(found)
-    }
-
-    /// Whether the surface of the scene stands for two that are known.
-    fn has_counterface(&self) -> bool {
-        self.scene.pair.is_some()
+        self.scene.pair.is_none().then_some(found)
     }
 
     /// Why the scene has no asperities for a model.

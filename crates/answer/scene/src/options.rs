@@ -1,11 +1,10 @@
 //! Options of the models for scene files, keywords and command lines.
 
-use asperity::bem::{BemOptions, Continuation};
+use asperity::bem::{Bem, BemOptions, Continuation};
 use asperity::film::friction_factor;
-use asperity::recommended::BEM;
 use asperity::{
-    AbdoFarhang, AminiTehrani, AngleDensity, AtReading, ContactError, Described, Displacement,
-    FlowPressure, ForceComponent, Gao, LateralOptions, Model, Persson, Spectrum, Stick,
+    AngleDensity, ContactError, Displacement, FlowPressure, ForceComponent, Model, Persson,
+    Spectrum, Stick,
 };
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
@@ -37,7 +36,6 @@ use crate::measured::ScanSpectrum;
 #[serde(default, deny_unknown_fields)]
 pub struct ModelOptions {
     /// The distribution of the contact normals of Gao and AT.
-    #[serde(with = "AngleChoice")]
     pub angle_density: AngleDensity,
     /// The tangential displacements of Gao and AT.
     pub displacement: Displacement,
@@ -63,38 +61,6 @@ pub struct ModelOptions {
     pub elastic: bool,
 }
 
-/// The options with the ids of their models on equal asperities; none for the film.
-const OF_MODELS: [(&str, &[&str]); 9] = [
-    ("angle_density", LATERAL),
-    ("displacement", LATERAL),
-    ("stick", LATERAL),
-    ("force", LATERAL),
-    ("af_flow_pressure", &["af"]),
-    ("hurst_exponent", &["persson", "persson-fudge"]),
-    ("friction_cut_off", &[]),
-    ("boundary", &[BEM]),
-    ("elastic", &[BEM]),
-];
-const LATERAL: &[&str] = &["gao", "at", "at-additive", "at-overlap"];
-
-/// The spelling of `angle_density`.
-#[derive(Serialize, Deserialize)]
-#[serde(
-    remote = "AngleDensity",
-    rename_all = "kebab-case",
-    deny_unknown_fields,
-    expecting = "\"upright\" or { a20 = -0.5, a21 = 1.0, b21 = 1.0 }"
-)]
-enum AngleChoice {
-    Upright,
-    #[serde(untagged)]
-    Harmonic {
-        a20: f64,
-        a21: f64,
-        b21: f64,
-    },
-}
-
 impl ModelOptions {
     /// Sets one option; on error, no option changes.
     ///
@@ -112,16 +78,19 @@ impl ModelOptions {
     /// # Errors
     /// [`SceneError::Refused`] with the ids that the option is for.
     pub fn check_for(id: &str, option: &str) -> Result<(), SceneError> {
+        let has = |model: &Model| model.options().is_some_and(|own| own.get(option).is_some());
+        let mut ids: Vec<String> =
+            Model::all().iter().filter(|m| has(m)).map(|model| model.equal().id().into()).collect();
+        ids.extend(["boundary", "elastic"].contains(&option).then(|| Bem::ID.into()));
+        ids.dedup();
         let model: Option<Model> = id.parse().ok();
         let of_id = model.as_ref().map_or(id, |model| model.equal().id());
-        let known = OF_MODELS.iter().find(|(name, _)| *name == option);
-        let ids = known.map_or(&[][..], |(_, ids)| ids);
+        if ids.iter().any(|one| one == of_id) {
+            return Ok(());
+        }
         let which = if ids.is_empty() { "scenes".into() } else { ids.join(", ") };
-        let refused = || SceneError::Refused {
-            at: Place::field(option).into(),
-            reason: format!("does not change {id}; it is an option of {which}"),
-        };
-        ids.contains(&of_id).then_some(()).ok_or_else(refused)
+        let reason = format!("does not change {id}; it is an option of {which}");
+        Err(SceneError::Refused { at: Place::field(option).into(), reason })
     }
 
     /// The options that differ from the defaults, by name.
@@ -136,11 +105,6 @@ impl ModelOptions {
     #[must_use]
     pub fn bem(&self) -> BemOptions {
         BemOptions { boundary: self.boundary, elastic: self.elastic }
-    }
-
-    fn lateral(&self) -> LateralOptions {
-        let Self { angle_density, displacement, stick, force, .. } = *self;
-        LateralOptions { angle_density, displacement, stick, force }
     }
 
     /// These options with those of a section.
@@ -194,24 +158,20 @@ impl ModelOptions {
         spectrum: impl FnOnce() -> Option<ScanSpectrum>,
         id: &str,
     ) -> Result<Model, SceneError> {
-        let at = |reading| Model::known(AminiTehrani { reading, options: self.lateral() });
         let known: Model = id
             .parse()
             .map_err(|error| SceneError::from_contact(error, |_| Place::field("model").into()))?;
-        let model = match known.equal().id() {
-            "af" => Model::known(AbdoFarhang { flow_pressure: self.af_flow_pressure }),
-            "gao" => Model::known(Gao { options: self.lateral() }),
-            "at" => at(AtReading::Printed),
-            "at-additive" => at(AtReading::Additive),
-            "at-overlap" => at(AtReading::Overlap),
-            id => match Persson::variance_of(id) {
-                Some(variance) => {
-                    let hurst_exponent = self.hurst_exponent;
-                    Model::known(Persson { variance, hurst_exponent, spectrum: spectrum() })
-                }
-                None => known.equal().clone(),
-            },
-        };
-        Ok(model.on(known.asperities()))
+        if let Some(variance) = Persson::variance_of(known.equal().id()) {
+            let hurst_exponent = self.hurst_exponent;
+            let model = Persson { variance, hurst_exponent, spectrum: spectrum() };
+            return Ok(Model::known(model).on(known.asperities()));
+        }
+        let own = known.options().unwrap_or_default();
+        let all = serde_json::to_value(self).unwrap_or_default();
+        let of_model = all.as_object().into_iter().flatten();
+        let of_model = of_model.filter(|(name, _)| own.get(name).is_some());
+        let of_model = of_model.map(|(name, value)| (name.clone(), value.clone())).collect();
+        let made = known.with_options(&of_model);
+        made.map_err(|error| SceneError::from_contact(error, |_| Place::field("model").into()))
     }
 }

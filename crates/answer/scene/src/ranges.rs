@@ -1,20 +1,15 @@
 //! Numbers that are known within a range, and the scene at points of the ranges.
 
-use asperity::{
-    At, Check, Code, ContactError, ContactModel, DerivedNumber, Finding, Interface, Severity, short,
-};
+use asperity::{Code, ContactError, Finding, Interface, Severity};
 
 use crate::error::{Place, SceneError};
-use crate::keys::{SECOND, key_of_input};
+use crate::keys::SECOND;
 use crate::materials::HARDNESS_OVER_YIELD;
-use crate::quantity::unit_of;
 use crate::roughness::Roughness;
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
 use crate::unknown::Unknown;
 
-/// Relative difference of numbers that are the same but for their errors.
-const SAME: f64 = 1e-9;
 /// The number of unknowns up to which every combination of ends is taken.
 const FULL: usize = 7;
 /// The number of points inside the ranges.
@@ -241,48 +236,6 @@ impl SceneFile {
         }
     }
 
-    /// The check of the scene in the middle of its ranges, with those of all numbers.
-    pub(crate) fn check_ranges(
-        &self,
-        place: Option<(&dyn ContactModel, At)>,
-    ) -> Result<Check, ContactError> {
-        let points = self.points()?;
-        let mut check = points.middle.check(place)?;
-        // An end of assumed ranges may be an unusual surface, which the given numbers are not.
-        let of_answer = |point: &Self| -> Result<Check, ContactError> {
-            let (mut check, own) = (point.check(place)?, point.findings());
-            let is_own = |found: &Finding| own.iter().any(|own| own.code == found.code);
-            check.findings = check.findings.into_iter().filter(|found| !is_own(found)).collect();
-            Ok(check)
-        };
-        let all = points.all.iter().map(of_answer).collect::<Result<Vec<_>, _>>()?;
-        for number in &mut check.numbers {
-            let found = all.iter().filter_map(|point| point.number(&number.name));
-            let [lower, upper] = found.fold([number.value; 2], |[lower, upper], value| {
-                [lower.min(value), upper.max(value)]
-            });
-            let differs = upper - lower > SAME * number.value.abs();
-            number.ends = differs.then_some([lower, upper]);
-        }
-        let mut given = Check::default();
-        for one in &points.unknowns {
-            let (value, meaning) = (one.middle(), format!("{}: {}", one.status, one.source));
-            let unit = unit_of(key_of_input(&one.name)).unwrap_or_default();
-            given.add_number(one.name.clone(), value, unit, meaning);
-            given.numbers.iter_mut().last().into_iter().for_each(|new| new.ends = Some(one.ends));
-        }
-        let is_new = |one: &DerivedNumber| given.number(&one.name).is_none();
-        check.numbers.retain(is_new);
-        given.numbers.append(&mut check.numbers);
-        check.numbers = given.numbers;
-        let found = all.iter().enumerate();
-        let found = found.flat_map(|(k, one)| one.findings.iter().map(move |found| (k, found)));
-        let new = points.worst(&check.findings, found);
-        check.extend(new);
-        check.findings = self.accepted(check.findings);
-        Ok(check)
-    }
-
     /// The scene with every unknown at one `end` of its range, `lower` or `upper`, or in its
     /// `middle`, for an answer in single numbers, and a note that names the ranges, if there are
     /// any.
@@ -301,12 +254,7 @@ impl SceneFile {
             _ => return Err(refused(format!("{end:?} is none of lower, middle and upper"))),
         };
         let unknowns = self.unknowns();
-        let range = |one: &Unknown| {
-            let [lower, upper] = one.ends.map(short);
-            let unit = unit_of(key_of_input(&one.name)).unwrap_or_default();
-            format!("{} {lower} to {upper} {unit}", one.name).trim_end().to_string()
-        };
-        let ranges = unknowns.iter().map(range).collect::<Vec<_>>().join(", ");
+        let ranges = unknowns.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
         let found = Finding::note(Code::TakenAt, "at", share)
             .fact(format!("calculated {place} of the ranges of {ranges}"))
             .advice("at lower and upper are the ends; curve, check and answer give ranges");

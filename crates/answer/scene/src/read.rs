@@ -6,21 +6,20 @@ use std::sync::Arc;
 use asperity::{Code, ContactError, Datum, Finding, Findings, TabulatedHeights};
 use toml::Value;
 
-use crate::accept;
 use crate::curvature::{Curvature, WAYS};
 use crate::document::{Document, Files, HandedFiles};
 use crate::error::{Place, SceneError};
-use crate::gap::gas;
 use crate::height_map::height_map;
-use crate::heights::{HeightsKey, compare_std};
+use crate::heights::{compare_std, heights};
 use crate::input::SceneInput;
 use crate::interface::bodies;
 use crate::keys::{COUNTERFACE, CURVATURE, joined, keys_of};
+use crate::measured::Scan;
 use crate::options::ModelOptions;
 use crate::resolve::resolve;
 use crate::scans::{Asked, Scans, density};
 use crate::scene_file::SceneFile;
-use crate::spec::{HeightsSpec, SceneSpec};
+use crate::spec::{Gas, HeightsSpec, SceneSpec};
 use crate::surface::{Surfaces, notes, refused, surfaces};
 use crate::text_file::read_text;
 use crate::unknown::Unknown;
@@ -116,10 +115,7 @@ fn curvature(document: &Document<'_>) -> Result<Option<Curvature>, SceneError> {
 }
 
 /// What a document says of its scene.
-fn spec(
-    document: &Document<'_>,
-    asked: Asked,
-) -> Result<(SceneSpec, Option<Scans>, HeightsKey), SceneError> {
+fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scans>), SceneError> {
     document.check_sections()?;
     let options = ModelOptions::default().with_keys(document, "options")?;
     let curvature = curvature(document)?;
@@ -128,17 +124,25 @@ fn spec(
         Some(_) => 1.0,
     };
     let names: Vec<String> = document.get("accept")?.unwrap_or_default();
-    let accept = accept::codes(document, &names)?;
+    let accept = names.iter().map(|name| Code::named(name)).collect::<Result<_, _>>();
+    let accept = accept.map_err(|reason| {
+        let at = document.place("accept");
+        SceneError::Refused { at, reason }
+    })?;
     let bodies = bodies(document)?;
-    let key: HeightsKey = document.get("surface.heights")?.unwrap_or_default();
     let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
-    let table = key.table(document)?;
-    let table_std = table.as_ref().map(TabulatedHeights::standard_deviation);
-    let Surfaces { first, second, is_smooth, scans } = surfaces(document, &key, table_std, asked)?;
-    let heights = key.spec(document, table)?;
+    let heights = heights(document)?;
+    let Surfaces { first, second, is_smooth, scans } = surfaces(document, &heights, asked)?;
     let pressed = scans.as_ref().and_then(|scans| scans.sum.clone());
-    let gas = gas(document)?;
-    let spec = SceneSpec {
+    let number = |key| document.needed_number(key);
+    let gas = match document.has("gap") {
+        true => Some(Gas {
+            gas_conductivity: number("gap.gas_conductivity")?,
+            gas_parameter: number("gap.gas_parameter")?,
+        }),
+        false => None,
+    };
+    let mut spec = SceneSpec {
         counterface: second,
         is_smooth,
         pressed,
@@ -150,13 +154,22 @@ fn spec(
         accept,
         ..SceneSpec::new(bodies, first, nominal_area)
     };
-    Ok((spec, scans, key))
+    let has_asperities = |scan: &&Arc<Scan>| {
+        scan.measured.as_ref().is_some_and(|own| own.statistics.surface().is_ok())
+    };
+    let scan = spec.single_scan().filter(has_asperities).filter(|_| spec.heights.is_measured);
+    if let Some((scan, scans)) = scan.zip(scans.as_ref()) {
+        let points = density(&scan.topography).map_err(|why| scans.refused(document, &why))?;
+        let table = TabulatedHeights::new("measured", &points);
+        let table = HeightsSpec::of_table(table.map_err(document.refused("surface"))?);
+        spec.heights = HeightsSpec { is_measured: true, ..table };
+    }
+    Ok((spec, scans))
 }
 
 pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
-    let (mut spec, scans, key) = spec(document, asked)?;
-    let resolved = |spec: &SceneSpec| resolve(spec).map_err(|fault| refused(document, spec, fault));
-    let (mut scene, measured) = resolved(&spec)?;
+    let (spec, scans) = spec(document, asked)?;
+    let (scene, measured) = resolve(&spec).map_err(|fault| refused(document, &spec, fault))?;
     let mut found = vec![];
     if let Some((scans, together)) = scans.as_ref().zip(measured.as_ref()) {
         let no_asperities = together.statistics.surface().err();
@@ -165,17 +178,9 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
             return Err(scans.refused(document, reason));
         }
         found.extend(scans.notes(document, &together.statistics));
-        let is_measured = spec.heights.is_measured && no_asperities.is_none();
-        if let Some(scan) = spec.scan().filter(|_| is_measured) {
-            let points = density(scan).map_err(|reason| scans.refused(document, &reason))?;
-            let table = TabulatedHeights::new("measured", &points);
-            let table = table.map_err(document.refused("surface"))?;
-            spec.heights = HeightsSpec { is_measured, ..HeightsSpec::of_table(table) };
-            (scene, _) = resolved(&spec)?;
-        }
     }
     found.extend(notes(document, &spec, &scene));
-    if let (Some(table), false) = (&spec.heights.table, matches!(key, HeightsKey::Measured)) {
+    if let (Some(table), false) = (&spec.heights.table, spec.heights.is_measured) {
         found.extend(compare_std(document, table, scene.surface.asperity_height_std)?);
     }
     let offset = measured.as_ref().and_then(|found| found.statistics.mean_plane_offset);
@@ -188,7 +193,7 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
             return Err(document.conflict(&key, source, needed));
         }
     }
-    let is_map = spec.scan().is_some_and(|scan| height_map(scan).is_ok());
+    let is_map = spec.single_scan().is_some_and(|scan| height_map(&scan.topography).is_ok());
     if let Some(exponent) = spec.options.hurst_exponent.filter(|_| is_map) {
         let at = document.place("options.hurst_exponent");
         let note = Finding::warning(Code::HurstExponent, "hurst_exponent", exponent)
@@ -226,14 +231,14 @@ fn ranges(
 ) -> Result<Vec<(SceneInput, Unknown)>, SceneError> {
     let inputs = if document.ranges.is_empty() { vec![] } else { file.all_inputs() };
     let range = |(path, ends): &(String, [f64; 2])| {
-        let place = |input: &SceneInput| input.place(&file.spec.bodies);
-        let is_here = |input: &SceneInput| joined(&place(input).0, place(input).1) == *path;
+        let section = |input: &SceneInput| input.section(&file.spec.bodies);
+        let is_here = |input: &SceneInput| joined(section(input), input.key) == *path;
         let Some(input) = inputs.iter().map(|(_, input)| *input).find(is_here) else {
             return Err(document.wrong(path, "a single number"));
         };
         for end in ends {
             let made = file.with_inputs([(input, *end)]);
-            made.map_err(document.refused(&place(&input).0))?;
+            made.map_err(document.refused(section(&input)))?;
         }
         Ok((input, Unknown::written(input.name(), *ends)))
     };

@@ -3,13 +3,14 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
+use asperity::joints::conductance::gap_conductance;
 use asperity::{ContactError, Interface, Pair, ProfileMoments, Scene, Surface, positive};
 use asperity_topography::Statistics;
 
 use crate::finish::Drawing;
 use crate::keys::COUNTERFACE;
 use crate::measured::Measured;
-use crate::spec::{Bodies, SceneSpec, SurfaceSpec};
+use crate::spec::{Bodies, Gas, SceneSpec, SurfaceSpec};
 
 /// A number of a section that is out of range.
 #[derive(Debug)]
@@ -117,7 +118,11 @@ pub(crate) fn resolve(spec: &SceneSpec) -> Result<(Scene, Option<Arc<Measured>>)
         lay.transpose().map_err(at(section))?;
     }
     spec.curvature.map(|bodies| bodies.shape()).transpose().map_err(at("curvature"))?;
-    spec.gas.map_or(Ok(()), |gas| gas.check()).map_err(at("gap"))?;
+    if let Some(Gas { gas_conductivity, gas_parameter }) = spec.gas {
+        let checked = positive("gas_conductivity", gas_conductivity);
+        let checked = checked.and_then(|gas| gap_conductance(gas, 1.0, gas_parameter));
+        checked.map_err(at("gap"))?;
+    }
     let of_surface = at("surface");
     let one = One::new(&spec.surface, &interface).map_err(&of_surface)?;
     let two = spec.counterface.as_ref().map(|two| One::new(two, &interface));

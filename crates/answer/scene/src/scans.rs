@@ -12,7 +12,6 @@ use toml::{Table, Value};
 use crate::document::Document;
 use crate::error::SceneError;
 use crate::height_map::{long_wavelength, open_seam};
-use crate::heights::HeightsKey;
 use crate::keys::{COUNTERFACE, Key, Subject};
 use crate::measured::{Measured, Scan};
 use crate::measured_keys::MeasuredKeys;
@@ -50,7 +49,7 @@ struct Source {
 impl Source {
     /// The scan as its keys prepare it.
     fn read(&self, document: &Document<'_>) -> Result<Topography, SceneError> {
-        let (path, options) = (document.path(&self.path), &self.keys.options());
+        let (path, options) = (document.path(&self.path), &self.keys.options);
         let read = match document.handed(&self.at, &self.path)? {
             Some(bytes) => read_bytes(&path.to_string_lossy(), bytes, options),
             None => read(&path, options),
@@ -142,10 +141,10 @@ pub(crate) struct Scans {
 
 impl Scans {
     /// Reads the scans that a scene names; beside one of them the other surface may be given by
-    /// numbers.
+    /// numbers, and the heights of the asperities may be theirs.
     pub(crate) fn read(
         document: &Document<'_>,
-        heights: &HeightsKey,
+        are_measured: bool,
         asked: Asked,
         beside_numbers: bool,
     ) -> Result<Self, SceneError> {
@@ -168,7 +167,7 @@ impl Scans {
                     "estimator = \"moments\" for two surfaces: moments add, summits do not,";
                 return Err(document.conflict(&format!("{}.estimator", one.section), two, needed));
             }
-            if matches!(heights, HeightsKey::Measured) {
+            if are_measured {
                 let needed = "one file or aligned scans: the heights of two surfaces do not add,";
                 return Err(document.conflict("surface.heights", two, needed));
             }

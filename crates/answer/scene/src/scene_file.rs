@@ -3,19 +3,18 @@
 use std::sync::Arc;
 
 use asperity::{
-    ContactError, Datum, Findings, HeightDistribution, Scene, Separation, SeparationUnit,
+    Code, ContactError, Datum, Findings, HeightDistribution, Scene, Separation, SeparationUnit,
     SolvedContact, Surface, TabulatedHeights,
 };
 use asperity_topography::Topography;
 
 use crate::error::SceneError;
-use crate::gap::Gas;
 use crate::input::SceneInput;
 use crate::measured::{Measured, Scan};
 use crate::origin::Provenance;
 use crate::resolve::resolve;
 use crate::roughness::Roughness;
-use crate::spec::{Bodies, Description, HeightsSpec, SceneSpec};
+use crate::spec::{Bodies, Description, Gas, HeightsSpec, SceneSpec};
 use crate::unknown::Unknown;
 
 /// A scene with what was written about it, and where.
@@ -64,6 +63,14 @@ impl SceneFile {
         Ok(Self { spec, scene, measured, warnings, solved, ranges: vec![], origin: None })
     }
 
+    /// Accepts warnings and notes of these codes, too.
+    #[must_use]
+    pub fn accepting(mut self, codes: &[Code]) -> Self {
+        self.spec.accept.extend_from_slice(codes);
+        self.warnings = self.warnings.silenced(codes);
+        self
+    }
+
     /// The bodies from which the interface follows, if given.
     #[must_use]
     pub fn bodies(&self) -> &[asperity::Body] {
@@ -79,13 +86,20 @@ impl SceneFile {
     /// The scan of the surface, levelled and filtered, if there is exactly one.
     #[must_use]
     pub fn scan(&self) -> Option<&Topography> {
-        self.spec.scan()
+        Some(&self.spec.single_scan()?.topography)
     }
 
-    /// The numbers from which the asperities follow, if they are not given directly or measured.
+    /// The numbers from which the asperities follow, if they are not given directly or measured: of
+    /// two surfaces by numbers the sums of their moments.
     #[must_use]
     pub fn roughness(&self) -> Option<Roughness> {
-        self.spec.roughness(&self.scene)
+        let first = self.spec.surface.roughness()?;
+        let Some(second) = &self.spec.counterface else {
+            return Some(first).filter(|only| only.way.is_of_surface());
+        };
+        let [one, two] = self.scene.pair?.surfaces;
+        let own = first.moments(&one.asperities);
+        Some(Roughness::of_moments(own.plus(&second.roughness()?.moments(&two.asperities))))
     }
 
     /// The keys of numbers in a unit that is not decimal, such as psi or HV, and these in one:

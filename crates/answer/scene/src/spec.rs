@@ -4,15 +4,14 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use asperity::{
-    Body, Code, ContactError, Datum, HeightDistribution, Interface, ProfileMoments, Scene,
-    TabulatedHeights, short,
+    Body, Code, ContactError, Datum, HeightDistribution, Interface, ProfileMoments,
+    TabulatedHeights,
 };
-use asperity_topography::Topography;
+use serde::Serialize;
 
 use crate::curvature::Curvature;
 use crate::finish::Drawing;
-use crate::gap::Gas;
-use crate::keys::{COUNTERFACE, Key};
+use crate::keys::COUNTERFACE;
 use crate::materials::Material;
 use crate::measured::{Measured, Scan};
 use crate::options::ModelOptions;
@@ -63,6 +62,15 @@ pub enum Bodies {
     },
     /// Their equivalent properties.
     Interface(Interface),
+}
+
+/// A gas or liquid in the gap between the surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Gas {
+    /// Its thermal conductivity \[W/(m K)\], above 0.
+    pub gas_conductivity: f64,
+    /// Its temperature-jump distance \[m\], 0 for a liquid.
+    pub gas_parameter: f64,
 }
 
 /// One rough surface.
@@ -277,41 +285,13 @@ impl SceneSpec {
         self.pressed.as_ref().or_else(own)
     }
 
-    /// The scan that boundary elements press.
-    #[must_use]
-    pub fn scan(&self) -> Option<&Topography> {
-        Some(&self.single_scan()?.topography)
-    }
-
-    /// The numbers of the surface, from which its asperities follow: given, or of two surfaces by
-    /// numbers the sums of their moments.
-    #[must_use]
-    pub fn roughness(&self, scene: &Scene) -> Option<Roughness> {
-        let own = |one: &SurfaceSpec| one.roughness();
-        match (own(&self.surface)?, &self.counterface) {
-            (only, None) => Some(only).filter(|only| only.way.is_of_surface()),
-            (first, Some(second)) => {
-                let [one, two] = scene.pair?.surfaces;
-                let sum =
-                    first.moments(&one.asperities).plus(&own(second)?.moments(&two.asperities));
-                Some(Roughness::of_moments(sum))
-            }
-        }
-    }
-
-    /// The numbers from which the asperities follow, if they are not given directly or measured.
-    pub(crate) fn follows_from(&self, scene: &Scene) -> Vec<String> {
-        let is_drawn = self.surfaces().any(|(_, one)| one.drawing().is_some());
-        let numbers = match (self.roughness(scene), self.surface.roughness()) {
-            _ if is_drawn => return vec!["ra".into()],
-            (Some(roughness), _) => roughness,
-            (None, Some(one)) if one.way == Way::PlasticityIndex => one,
-            _ => return vec![],
-        };
-        let shown = |(key, value)| {
-            let unit = Key::find("surface", key).map_or("", |key| key.unit);
-            format!("{key} = {} {unit}", short(value)).trim_end().into()
-        };
-        numbers.by_key().map(shown).collect()
+    /// What the asperities follow from, if they are not given directly or measured.
+    pub(crate) fn follows_from(&self) -> Option<String> {
+        let by_asperities = |one: Roughness| one.way == Way::Asperities;
+        let is_given =
+            self.counterface.is_none() && self.surface.roughness().is_some_and(by_asperities);
+        let is_measured = self.surfaces().any(|(_, one)| one.scan().is_some());
+        let words = || self.surfaces().map(|(_, one)| one.in_words()).collect::<Vec<_>>();
+        (!is_given && !is_measured).then(|| words().join(" on "))
     }
 }

@@ -10,13 +10,12 @@ use toml::Value;
 use crate::document::Document;
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
-use crate::heights::HeightsKey;
 use crate::keys::{COUNTERFACE, KEYS, Key, Subject, joined};
 use crate::measured::Scan;
 use crate::resolve::Fault;
 use crate::roughness::{Roughness, WAYS, Way};
 use crate::scans::{Asked, Scans};
-use crate::spec::{Description, SceneSpec, SurfaceSpec};
+use crate::spec::{Description, HeightsSpec, SceneSpec, SurfaceSpec};
 use crate::text_file::shorten;
 
 /// What a counterface may be instead of a surface of its own.
@@ -24,10 +23,8 @@ const WORDS: [&str; 2] = ["smooth", "same"];
 /// The files of measured surfaces.
 const FILES: [&str; 2] = ["file", "files"];
 const STD: &str = "asperity_height_std";
-/// The alternative to `STD` with radius and density.
-const SURFACE_STD: &str = "surface_height_std";
 /// Keys that describe a surface only beside others.
-const BESIDE: [&str; 4] = [STD, SURFACE_STD, "mean_slope", "sdq"];
+const BESIDE: [&str; 4] = [STD, "surface_height_std", "mean_slope", "sdq"];
 
 /// What a section needs, with all ways.
 fn one_way() -> String {
@@ -61,24 +58,14 @@ fn way(
         .filter(describes)
         .find(|key| !way.contains(&key.name) && has(&&key.name) && !(is_scan(key) && way == FILES));
     let Some(odd) = odd else { return Ok((way, key)) };
-    let conflict = |one, other, needed| Err(document.conflict(&at(one), &at(other), needed));
-    match odd.name {
-        STD | SURFACE_STD if has(&&STD) && has(&&SURFACE_STD) => {
-            conflict(SURFACE_STD, STD, "one of the two, which determines the other,")
-        }
-        name if is_scan(odd) && !FILES.contains(&name) => conflict(name, key, "a measured file"),
-        name => {
-            let own = || ways().filter(|way| way.contains(&name));
-            let together = |other: &&&str| own().any(|way| way.contains(other));
-            let other = way.iter().filter(has).find(|other| !together(other)).unwrap_or(&key);
-            if !BESIDE.contains(&name) {
-                return conflict(other, name, &one_way());
-            }
-            let others = own().next().unwrap_or_default().iter().copied();
-            let others: Vec<&str> = others.filter(|other| *other != name).collect();
-            conflict(name, other, &format!("{} with it", others.join(" and ")))
-        }
-    }
+    let needed = match is_scan(odd) && !FILES.contains(&odd.name) {
+        true => "a measured file".into(),
+        false => one_way(),
+    };
+    let own = || ways().filter(|way| way.contains(&odd.name));
+    let together = |other: &&&str| own().any(|way| way.contains(other));
+    let other = way.iter().filter(has).find(|other| !together(other)).unwrap_or(&key);
+    Err(document.conflict(&at(other), &at(odd.name), &needed))
 }
 
 /// The rough surfaces of a scene.
@@ -90,14 +77,14 @@ pub(crate) struct Surfaces {
     pub(crate) scans: Option<Scans>,
 }
 
-/// What was written of the surfaces; `table_std` is the standard deviation of a table of heights,
-/// the default of `asperity_height_std`.
+/// What was written of the surfaces; the standard deviation of a table of heights is the default of
+/// `asperity_height_std`.
 pub(crate) fn surfaces(
     document: &Document<'_>,
-    heights: &HeightsKey,
-    table_std: Option<f64>,
+    heights: &HeightsSpec,
     asked: Asked,
 ) -> Result<Surfaces, SceneError> {
+    let table_std = heights.table.as_ref().map(|table| table.standard_deviation());
     let first = described(document, "surface", table_std)?;
     let word = document.value(COUNTERFACE).and_then(Value::as_str);
     if let Some(word) = word.filter(|word| !WORDS.contains(word)) {
@@ -111,7 +98,7 @@ pub(crate) fn surfaces(
     let (is_smooth, is_same) = (word == Some(WORDS[0]), word == Some(WORDS[1]));
     let is_pair = document.has(COUNTERFACE) && word.is_none();
     let second = if is_pair { described(document, COUNTERFACE, None)? } else { None };
-    if let (Some((_, key)), HeightsKey::Measured) = (&first, heights) {
+    if let (Some((_, key)), true) = (&first, heights.is_measured) {
         let needed = "a measured file, from which the heights are taken,";
         return Err(document.conflict("surface.heights", &format!("surface.{key}"), needed));
     }
@@ -123,7 +110,7 @@ pub(crate) fn surfaces(
         return Err(SceneError::Refused { at, reason: reason.into() });
     }
     let beside_numbers = first.is_some() || second.is_some();
-    let scans = has_scan.then(|| Scans::read(document, heights, asked, beside_numbers));
+    let scans = has_scan.then(|| Scans::read(document, heights.is_measured, asked, beside_numbers));
     let scans = scans.transpose()?;
     let each: Vec<Arc<Scan>> = scans.iter().flat_map(Scans::list).cloned().collect();
     let mut each = each.into_iter();

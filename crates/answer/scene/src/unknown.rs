@@ -1,5 +1,15 @@
 //! A number that is known within a range.
 
+use std::fmt;
+
+use asperity::{DerivedNumber, short};
+
+use crate::keys::key_of_input;
+use crate::quantity::unit_of;
+
+/// Relative difference of numbers that are the same but for their errors.
+const SAME: f64 = 1e-9;
+
 /// A number of a scene that is known within a range: written as two values, or supplied by a
 /// finish or by a yield strength without a hardness.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,5 +62,33 @@ impl Unknown {
     #[must_use]
     pub fn middle(&self) -> f64 {
         self.at(0.5)
+    }
+
+    fn unit(&self) -> &'static str {
+        unit_of(key_of_input(&self.name)).unwrap_or_default()
+    }
+
+    /// The range as a number of a check.
+    pub(crate) fn derived(&self) -> DerivedNumber {
+        let meaning = format!("{}: {}", self.status, self.source).into();
+        let (name, ends) = (self.name.clone().into(), Some(self.ends));
+        DerivedNumber { name, value: self.middle(), unit: self.unit(), meaning, ends }
+    }
+
+    /// The ends of a value and of others; `None` where all are the same.
+    pub(crate) fn spanned(value: f64, others: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+        let wider = |[lower, upper]: [f64; 2], other| [lower.min(other), upper.max(other)];
+        let [lower, upper] = others.fold([value; 2], wider);
+        (upper - lower > SAME * value.abs()).then_some([lower, upper])
+    }
+}
+
+impl fmt::Display for Unknown {
+    /// `ra 6e-7 to 1e-6 m`
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [lower, upper] = self.ends.map(short);
+        let unit = self.unit();
+        let gap = if unit.is_empty() { "" } else { " " };
+        write!(f, "{} {lower} to {upper}{gap}{unit}", self.name)
     }
 }

@@ -6,12 +6,18 @@ use asperity::{
 
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
-use crate::input::{Input, NUMBERS, SceneInput};
-use crate::keys::{BODY, Field, INTERFACE, Key, MECHANICAL, OF_PAIR, SECOND, key_of_input};
+use crate::input::{Of, SceneInput};
+use crate::keys::{
+    BODY, CURVATURE, Field, GAP, INTERFACE, Key, MECHANICAL, OF_PAIR, OWN, SCENE, key_of_input,
+};
 use crate::roughness::{Roughness, Way};
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
 use crate::unknown::Unknown;
+
+fn named<T>(of: Of, fields: &'static [Field<T>]) -> impl Iterator<Item = SceneInput> {
+    fields.iter().map(move |field| SceneInput { of, key: field.name })
+}
 
 impl SceneFile {
     /// Every number of this scene that can be replaced, by its name: the keys of its file, of two
@@ -21,41 +27,30 @@ impl SceneFile {
     /// equivalent moduli.
     #[must_use]
     pub fn all_inputs(&self) -> Vec<(String, SceneInput)> {
-        let has_bodies = !self.bodies().is_empty();
-        let is_own = |field: &&Field<Interface>| {
-            !has_bodies || BODY.iter().all(|of_body| of_body.name != field.name)
-        };
-        let of_surface = |second: bool| {
-            self.keys_of_surface(second).into_iter().map(move |key| Input::Surface(second, key))
-        };
-        let of_body = |body: usize| BODY.iter().map(move |field| Input::Body(body, *field));
-        let is_skewed = matches!(self.scene.heights, HeightDistribution::Weibull(_));
-        let numbers = NUMBERS.into_iter().filter(|(name, ..)| self.has(name));
-        INTERFACE
-            .iter()
-            .filter(is_own)
-            .map(|field| Input::Interface(*field))
-            .chain(BODY.iter().filter(|_| has_bodies).map(|field| Input::Bodies(*field)))
-            .chain(of_surface(false))
-            .chain(numbers.map(Input::Scene))
-            .chain(is_skewed.then_some(Input::Skewness))
-            .chain((0..self.bodies().len()).flat_map(of_body))
-            .chain(of_surface(true))
-            .map(|input| (input.name(), SceneInput(input)))
-            .collect()
+        let SceneSpec { curvature, counterface, gas, .. } = &self.spec;
+        let bodies = self.bodies().len();
+        let is_of_pair = |one: &SceneInput| bodies == 0 || Field::of(BODY, one.key).is_none();
+        let mut all: Vec<SceneInput> = named(Of::Interface, INTERFACE).filter(is_of_pair).collect();
+        all.extend(named(Of::Bodies, BODY).filter(|_| bodies > 0));
+        for second in [false, true].into_iter().take(1 + usize::from(counterface.is_some())) {
+            let of = Of::Surface(second);
+            all.extend(self.keys_of_surface(second).into_iter().map(|key| SceneInput { of, key }));
+            let follows = |one: &SceneInput| one.key == "mean_plane_offset" && self.has_offset();
+            all.extend(named(of, OWN).filter(|one| !follows(one)));
+        }
+        all.extend(named(Of::Scene, SCENE).filter(|_| curvature.is_none()));
+        all.extend(named(Of::Gap, GAP).filter(|_| gas.is_some()));
+        let is_given = |one: &SceneInput| self.value_of(*one).is_some();
+        all.extend(named(Of::Curvature, CURVATURE).filter(is_given));
+        all.extend([SceneInput { of: Of::Heights, key: "skewness" }].into_iter().filter(is_given));
+        all.extend((0..bodies).flat_map(|body| named(Of::Body(body), BODY)));
+        all.into_iter().map(|input| (input.name(), input)).collect()
     }
 
-    /// Whether one of [`NUMBERS`] has a meaning in this scene.
-    fn has(&self, name: &str) -> bool {
+    /// Whether the offset of the mean plane follows from measured heights.
+    fn has_offset(&self) -> bool {
         let measured = self.measured.as_ref().map(|measured| &measured.statistics);
-        let is_measured = || measured.is_some_and(|found| found.mean_plane_offset.is_some());
-        match key_of_input(name) {
-            _ if name.starts_with(SECOND) && self.spec.counterface.is_none() => false,
-            "mean_plane_offset" => self.table().is_none() && !is_measured(),
-            "nominal_area" => self.spec.curvature.is_none(),
-            "gas_conductivity" | "gas_parameter" => self.spec.gas.is_some(),
-            _ => true,
-        }
+        self.table().is_some() || measured.is_some_and(|found| found.mean_plane_offset.is_some())
     }
 
     /// The surface by three numbers: as written, or of a single surface by its asperities.
@@ -94,46 +89,39 @@ impl SceneFile {
         let known = self.all_inputs();
         let input = |name: &'n str| {
             let found = known.iter().find(|(other, _)| other == name);
-            found.map(|(_, input)| (name, input.0)).ok_or_else(|| Self::unknown(name, &known))
+            found.map(|(_, input)| *input).ok_or_else(|| Self::unknown(name, &known))
         };
         let found = names.into_iter().map(input).collect::<Result<Vec<_>, _>>()?;
-        let refused = |name: &str, reason| Err(SceneError::Input { name: name.into(), reason });
-        for (name, input) in &found {
-            let beside = found.iter().find(|(_, other)| input.excludes(other));
-            let Some((other, cause)) = beside else { continue };
-            let reason = match cause {
-                Input::Body(_, Field { name: key, .. }) if key == name => format!(
-                    "is that of all bodies and is given beside {other}: give {name} alone, or body1_{name} and body2_{name}"
-                ),
-                _ => format!("is given beside {other}, which determines it: leave {name} out"),
-            };
-            return refused(name, reason);
+        for one in &found {
+            let Some(other) = found.iter().find(|other| one.excludes(**other)) else { continue };
+            let (name, other) = (one.name(), other.name());
+            let reason =
+                format!("is given beside {other}, which determines it: give one of the two");
+            return Err(SceneError::Input { name, reason });
         }
         for second in [false, true] {
-            let of_surface = found.iter().filter_map(|(_, input)| match input {
-                Input::Surface(of, key) if *of == second => Some(*key),
-                _ => None,
-            });
-            let of_surface: Vec<&str> = of_surface.collect();
-            let drawing = self.spec.one(second).and_then(SurfaceSpec::drawing);
-            if drawing.is_some() && of_surface.iter().all(|key| FINISH.contains(key)) {
-                continue;
-            }
+            let is_of = |one: &&SceneInput| {
+                one.of == Of::Surface(second) && Field::of(OWN, one.key).is_none()
+            };
+            let keys: Vec<&str> = found.iter().filter(is_of).map(|one| one.key).collect();
+            let is_drawn = self.spec.one(second).is_some_and(|one| one.drawing().is_some());
             let Some(first) = self.roughness_of(second) else { continue };
-            if first.way_with(&of_surface).is_some() {
+            if is_drawn && keys.iter().all(|key| FINISH.contains(key))
+                || first.way_with(&keys).is_some()
+            {
                 continue;
             }
-            let is_other = |name: &&&str| !first.way.keys().contains(*name);
-            let other = of_surface.iter().find(is_other).copied().unwrap_or_default();
-            let all = first.way.keys().join(", ");
-            let rest = of_surface.iter().filter(|name| **name != other);
-            let rest = rest.copied().collect::<Vec<_>>().join(" and ");
+            let is_other = |key: &&&str| !first.way.keys().contains(*key);
+            let other = keys.iter().find(is_other).copied().unwrap_or_default();
+            let rest: Vec<&str> = keys.iter().copied().filter(|key| *key != other).collect();
             let reason = format!(
-                "is given beside {rest}, which describes the surface in another way: give numbers of one way; the surface is given by {all}"
+                "is given beside {}, which describes the surface in another way: give numbers of one way; the surface is given by {}",
+                rest.join(" and "),
+                first.way.keys().join(", ")
             );
-            return refused(other, reason);
+            return Err(SceneError::Input { name: other.into(), reason });
         }
-        Ok(found.into_iter().map(|(_, input)| SceneInput(input)).collect())
+        Ok(found)
     }
 
     /// The error about a name that is no input of this scene.
@@ -150,22 +138,27 @@ impl SceneFile {
     /// The value of an input; `None` for a number that the scene does not give, and for one in
     /// which its bodies differ.
     #[must_use]
-    pub fn value_of(&self, input: SceneInput) -> Option<f64> {
-        match input.0 {
-            Input::Interface(Field { get, .. }) => get(&self.scene.interface),
-            Input::Body(place, Field { get, .. }) => self.bodies().get(place).and_then(get),
-            Input::Bodies(Field { get, .. }) => {
-                let value = self.bodies().first().and_then(get);
-                let bits = |value: Option<f64>| value.map(f64::to_bits);
-                let is_same = |body: &Body| bits(get(body)) == bits(value);
-                value.filter(|_| self.bodies().iter().all(is_same))
+    pub fn value_of(&self, SceneInput { of, key }: SceneInput) -> Option<f64> {
+        let spec = &self.spec;
+        match of {
+            Of::Scene => Field::value(SCENE, key, spec),
+            Of::Interface => Field::value(INTERFACE, key, &self.scene.interface),
+            Of::Curvature => Field::value(CURVATURE, key, spec.curvature.as_ref()?),
+            Of::Gap => Field::value(GAP, key, spec.gas.as_ref()?),
+            Of::Body(place) => Field::value(BODY, key, self.bodies().get(place)?),
+            Of::Bodies => {
+                let value = |body: &Body| Field::value(BODY, key, body);
+                let first = value(self.bodies().first()?)?;
+                let is_same = |body| value(body).map(f64::to_bits) == Some(first.to_bits());
+                self.bodies().iter().all(is_same).then_some(first)
             }
-            Input::Surface(second, key) => {
-                let drawn = self.spec.one(second)?.drawing().and_then(|drawing| drawing.get(key));
-                drawn.or_else(|| self.roughness_of(second)?.number(key, &self.scene.interface))
+            Of::Surface(second) => {
+                let one = spec.one(second)?;
+                let drawn = || one.drawing()?.get(key);
+                let by_numbers = || self.roughness_of(second)?.number(key, &self.scene.interface);
+                Field::value(OWN, key, one).or_else(drawn).or_else(by_numbers)
             }
-            Input::Scene((_, get, _)) => get(&self.spec),
-            Input::Skewness => match &self.scene.heights {
+            Of::Heights => match &self.scene.heights {
                 HeightDistribution::Weibull(heights) => Some(heights.skewness()),
                 _ => None,
             },
@@ -185,16 +178,24 @@ impl SceneFile {
     ) -> Result<Self, ContactError> {
         let mut spec = self.spec.clone();
         let (mut of_interface, mut of_surface) = (vec![], [vec![], vec![]]);
-        let mut set: Vec<Input> = vec![];
-        for (SceneInput(input), value) in numbers {
+        let mut set: Vec<SceneInput> = vec![];
+        for (input, value) in numbers {
             set.push(input);
-            match input {
-                Input::Body(place, field) => spec.bodies.set(&field, value, |k| k == place),
-                Input::Bodies(field) => spec.bodies.set(&field, value, |_| true),
-                Input::Interface(field) => of_interface.push((field, value)),
-                Input::Surface(second, key) => of_surface[usize::from(second)].push((key, value)),
-                Input::Scene((_, _, set)) => set(&mut spec, value),
-                Input::Skewness => {
+            let SceneInput { of, key } = input;
+            match of {
+                Of::Scene => Field::put(SCENE, key, &mut spec, value),
+                Of::Interface => of_interface.push((key, value)),
+                Of::Curvature => {
+                    Field::put(CURVATURE, key, spec.curvature.get_or_insert_default(), value)
+                }
+                Of::Gap => spec.gas.iter_mut().for_each(|gas| Field::put(GAP, key, gas, value)),
+                Of::Body(place) => spec.bodies.set(key, value, |k| k == place),
+                Of::Bodies => spec.bodies.set(key, value, |_| true),
+                Of::Surface(second) => match spec.surface_mut(second) {
+                    Some(one) if Field::of(OWN, key).is_some() => Field::put(OWN, key, one, value),
+                    _ => of_surface[usize::from(second)].push((key, value)),
+                },
+                Of::Heights => {
                     let heights = WeibullHeights::new(value)?;
                     spec.heights = HeightDistribution::Weibull(heights).into();
                 }
@@ -210,7 +211,7 @@ impl SceneFile {
         // A number that was set, or is not that of the scene any more, has no range.
         let bits = |value: f64| value.to_bits();
         let keeps = |(input, one): &(SceneInput, Unknown)| {
-            let is_set = set.iter().any(|set| set.sets(&input.0));
+            let is_set = set.iter().any(|set| set.sets(*input));
             !is_set && made.value_of(*input).map(bits) == Some(bits(one.middle()))
         };
         made.ranges = self.ranges.iter().filter(|one| keeps(one)).cloned().collect();
@@ -253,72 +254,30 @@ impl SceneFile {
 
 impl Bodies {
     /// Sets a number of some bodies, by their index.
-    fn set(&mut self, field: &Field<Body>, value: f64, is_of: impl Fn(usize) -> bool) {
+    fn set(&mut self, key: &str, value: f64, is_of: impl Fn(usize) -> bool) {
         let Self::Each { bodies, materials, .. } = self else { return };
-        for (k, body) in bodies.iter_mut().enumerate().filter(|(k, _)| is_of(*k)) {
-            (field.set)(body, value);
-            if let Some(material) =
-                materials.get_mut(k).filter(|_| MECHANICAL.contains(&field.name))
-            {
-                *material = None;
-            }
+        let each = bodies.iter_mut().zip(materials).enumerate().filter(|(k, _)| is_of(*k));
+        for (_, (body, material)) in each {
+            Field::put(BODY, key, body, value);
+            *material = material.filter(|_| !MECHANICAL.contains(&key));
         }
     }
 
     /// Sets numbers of both bodies together: those that follow from the bodies replace these.
-    fn set_together(&mut self, given: &[(Field<Interface>, f64)]) -> Result<(), ContactError> {
+    fn set_together(&mut self, given: &[(&str, f64)]) -> Result<(), ContactError> {
         if let Self::Each { work_of_adhesion, .. } = self {
-            let of_pair = given.iter().find(|(field, _)| field.name == OF_PAIR[0]);
+            let of_pair = given.iter().find(|(key, _)| *key == OF_PAIR[0]);
             *work_of_adhesion = of_pair.map(|(_, value)| *value).or(*work_of_adhesion);
         }
         if given.is_empty() {
             return Ok(());
         }
         let before = self.interface()?;
-        let mut interface = before;
-        given.iter().for_each(|(field, value)| (field.set)(&mut interface, *value));
+        let mut interface: Interface = before;
+        given.iter().for_each(|(key, value)| Field::put(INTERFACE, key, &mut interface, *value));
         if interface != before {
             *self = Self::Interface(interface);
         }
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::path::Path;
-
-    use crate::{SceneError, parse, template};
-
-    #[test]
-    fn skewness_and_offset_are_inputs_where_the_scene_gives_them() {
-        let text = template()
-            .replace("heights = \"gaussian\"", "heights = { skewness = -0.5 }")
-            .replace("# mean_plane_offset", "mean_plane_offset");
-        let file = parse(&text, Path::new(".")).unwrap();
-        let inputs = file.inputs(["skewness", "mean_plane_offset"]).unwrap();
-        let set = file.with_inputs(inputs.iter().copied().zip([0.25, 2e-6])).unwrap();
-        let found: Vec<_> = inputs.iter().map(|input| set.value_of(*input)).collect();
-        assert_eq!(found, [Some(0.25), Some(2e-6)]);
-        assert!(file.with_inputs([(inputs[0], 7.0)]).is_err());
-        let plain = parse(template(), Path::new(".")).unwrap();
-        assert!(plain.inputs(["skewness"]).is_err());
-    }
-
-    #[test]
-    fn unknown_names_and_numbers_that_follow_from_others_are_refused() {
-        let file = parse(template(), Path::new(".")).unwrap();
-        for (names, refused) in [
-            (&["hardnes"][..], "hardnes"),
-            (&["electrical_conductivity"], "electrical_conductivity"),
-            (&["m0"], "m0"),
-            (&["plasticity_index", "asperity_radius"], "plasticity_index"),
-            (&["equivalent_modulus", "body1_youngs_modulus"], "equivalent_modulus"),
-            (&["body1_hardness", "hardness"], "hardness"),
-        ] {
-            let error = file.inputs(names.iter().copied()).unwrap_err();
-            assert!(matches!(&error, SceneError::Input { name, .. } if name == refused), "{error}");
-        }
-        assert!(file.inputs(["body1_youngs_modulus", "hardness"]).is_ok());
     }
 }

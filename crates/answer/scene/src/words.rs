@@ -38,7 +38,7 @@ impl Bodies {
 }
 
 impl SurfaceSpec {
-    fn in_words(&self) -> String {
+    pub(crate) fn in_words(&self) -> String {
         let numbers = self.numbers().into_iter().map(|(key, value)| {
             let unit = Key::find("surface", key).map_or("", |key| key.unit);
             format!("{key} {}", number(value, unit)).trim_end().to_string()

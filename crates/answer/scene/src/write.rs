@@ -4,11 +4,12 @@ use std::fs;
 use std::path::Path;
 
 use asperity::{Body, Datum, HeightDistribution};
+use serde::Serialize;
 use toml::{Table, Value};
 
 use crate::document::{Document, Files};
 use crate::error::{Place, SceneError};
-use crate::keys::{BODY, Key, joined, keys_of};
+use crate::keys::{BODY, Field, Key, OWN, joined, keys_of};
 use crate::materials::Material;
 use crate::measured::Scan;
 use crate::read::scene_file;
@@ -45,32 +46,23 @@ impl SceneFile {
         let text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
         let spec = &self.spec;
         let mut top = spec.bodies.keys();
-        match spec.curvature {
-            None => top.insert("nominal_area".into(), spec.nominal_area.into()),
-            Some(bodies) => {
-                top.insert("curvature".into(), Table::try_from(bodies).unwrap_or_default().into())
-            }
-        };
         let mut surface = self.surface_keys();
         surface.extend(self.heights_key()?.map(|key| ("heights".into(), key)));
         if spec.separation_from == Datum::SurfaceMean {
             surface.insert("separation_from".into(), "surface-mean".into());
         }
-        let offset = spec.surface.mean_plane_offset;
-        surface.extend(offset.map(|offset| ("mean_plane_offset".into(), offset.into())));
         top.insert("surface".into(), surface.into());
-        if !spec.accept.is_empty() {
-            let names: Vec<&str> = spec.accept.iter().map(|code| code.name()).collect();
-            top.insert("accept".into(), names.into());
-        }
-        if let Some(gas) = spec.gas {
-            top.insert("gap".into(), Table::try_from(gas).unwrap_or_default().into());
-        }
+        let accept: Vec<&str> = spec.accept.iter().map(|code| code.name()).collect();
+        top.extend((!accept.is_empty()).then(|| ("accept".into(), accept.into())));
+        top.extend(spec.gas.map(|gas| ("gap".into(), written(gas))));
+        top.extend(Some(match spec.curvature {
+            None => ("nominal_area".into(), spec.nominal_area.into()),
+            Some(bodies) => ("curvature".into(), written(bodies)),
+        }));
         top.insert("options".into(), spec.options.changed().into());
         for (input, Unknown { ends, .. }) in &self.ranges {
-            let (section, key) = input.place(&spec.bodies);
-            let ends = Value::from(ends.to_vec());
-            section_mut(&mut top, &section).map(|table| table.insert(key.into(), ends));
+            let table = section_mut(&mut top, input.section(&spec.bodies));
+            table.map(|table| table.insert(input.key.into(), ends.to_vec().into()));
         }
         let mut sections = String::new();
         for name in ["body", "interface", "surface", "curvature", "gap", "options"] {
@@ -136,17 +128,12 @@ impl SceneFile {
         };
         let sources = [first, second].map(|one| one.scan().and_then(|scan| scan.source.as_ref()));
         match sources {
-            [Some((one, own)), Some((two, other))] if own == other && !second.has_own() => {
+            [Some((one, own)), Some((two, other))] if own == other && second.own().is_empty() => {
                 keys.remove("file");
                 let files = [one, two].map(|path| Value::from(&*path.to_string_lossy()));
                 keys.insert("files".into(), files.to_vec().into());
             }
-            _ => {
-                let mut others = second.keys();
-                let offset = second.mean_plane_offset;
-                others.extend(offset.map(|offset| ("mean_plane_offset".into(), offset.into())));
-                keys.insert("counterface".into(), others.into());
-            }
+            _ => drop(keys.insert("counterface".into(), second.keys().into())),
         }
         keys
     }
@@ -181,8 +168,7 @@ impl Bodies {
     fn keys(&self) -> Table {
         let Self::Each { bodies, materials, work_of_adhesion } = self else {
             let Self::Interface(interface) = self else { return Table::new() };
-            let interface = Table::try_from(interface).unwrap_or_default();
-            return Table::from_iter([("interface".into(), interface.into())]);
+            return Table::from_iter([("interface".into(), written(interface))]);
         };
         let each = bodies.iter().zip(materials);
         let each: Vec<Table> = each.map(|(body, material)| keys_of_body(body, *material)).collect();
@@ -210,9 +196,10 @@ fn keys_of_body(body: &Body, material: Option<&Material>) -> Table {
 }
 
 impl SurfaceSpec {
-    /// Whether the surface has numbers beside its description.
-    fn has_own(&self) -> bool {
-        self.mean_plane_offset.or(self.peklenik_number).is_some()
+    /// Its numbers beside its description.
+    fn own(&self) -> Table {
+        let number = |field: &Field<Self>| Some((field.name.into(), (field.get)(self)?.into()));
+        OWN.iter().filter_map(number).collect()
     }
 
     /// The keys that describe the surface.
@@ -226,9 +213,13 @@ impl SurfaceSpec {
             }
             Description::Scan(scan) => keys_of_scan(scan),
         };
-        keys.extend(self.peklenik_number.map(|lay| ("peklenik_number".into(), lay.into())));
+        keys.extend(self.own());
         keys
     }
+}
+
+fn written(section: impl Serialize) -> Value {
+    Table::try_from(section).unwrap_or_default().into()
 }
 
 /// The table of a section, such as `body[1]`.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use asperity::{Code, Compared, SolvedContact};
-use asperity_answer::unranked;
+use asperity_answer::uncertain;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
@@ -110,11 +110,12 @@ impl Solved {
             ("mean-gap", Compared::MeanGap),
         ];
         let value = |(name, of): (&str, Compared)| Some((of, self.values.get(name)?.parse().ok()?));
-        let codes = self.notes.iter().filter_map(|name| Code::named(name).ok()).collect();
+        let codes: Vec<Code> =
+            self.notes.iter().filter_map(|name| Code::named(name).ok()).collect();
         SolvedContact {
             pressure: self.pressure,
             values: named.into_iter().filter_map(value).collect(),
-            uncertain: unranked(&[codes]).map(|[why, _]| why.into()),
+            uncertain: uncertain(&codes).map(Into::into),
         }
     }
 

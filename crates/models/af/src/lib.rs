@@ -25,6 +25,7 @@ pub enum FlowPressure {
 #[serde(default, deny_unknown_fields)]
 pub struct AbdoFarhang {
     /// The pressure of the embedded plastic asperity.
+    #[serde(rename = "af_flow_pressure")]
     pub flow_pressure: FlowPressure,
 }
 

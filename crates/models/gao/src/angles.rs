@@ -5,12 +5,19 @@ use serde::{Deserialize, Serialize};
 
 /// The density of the contact normals over u = |cos φ|, from 0 (grazing) to 1 (upright).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(
+    rename_all = "kebab-case",
+    deny_unknown_fields,
+    expecting = "\"upright\" or { a20 = -0.5, a21 = 1.0, b21 = 1.0 }"
+)]
 pub enum AngleDensity {
+    /// All normals upright: u = 1.
+    Upright,
     /// 4π ψ = 1 + a₂₀ P₂(cos φ) + (a₂₁ cos θ + b₂₁ sin θ) P₂¹(cos φ).
     ///
     /// A normal and its opposite belong to the same contact, so the density is folded to
     /// 1 + a₂₀ (3u² - 1)/2; the P₂¹ terms cancel in every law.
+    #[serde(untagged)]
     Harmonic {
         /// a₂₀, from -1 to 2.
         a20: f64,
@@ -19,8 +26,6 @@ pub enum AngleDensity {
         /// b₂₁; changes no result.
         b21: f64,
     },
-    /// All normals upright: u = 1.
-    Upright,
 }
 
 impl Default for AngleDensity {

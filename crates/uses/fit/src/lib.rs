@@ -12,6 +12,7 @@ mod observation;
 mod parameter;
 mod problem;
 mod ranking;
+mod rig;
 mod search;
 mod solution;
 mod spread;

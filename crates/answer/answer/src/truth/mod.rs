@@ -11,7 +11,7 @@ use asperity::{
     At, Check, Compared, ContactError, ContactModel, Described, Finding, Model, Quantity, Request,
     Scene, compile_known,
 };
-pub use sentences::{beside_table, summary, unranked};
+pub use sentences::{beside_table, uncertain};
 pub use sheet::{Truths, compared, heads, truth, truth_of};
 
 /// A contact of a scan by boundary elements, and by every model.
@@ -211,27 +211,6 @@ mod tests {
         assert_eq!(soft.crowded.iter().map(|why| why.code).collect::<Vec<_>>(), ["crowded"]);
         assert!(soft.models[0].1.is_empty());
         assert!(soft.models[2].1.get(&Area).is_some_and(|area| *area <= 1.0));
-        // Loads that few pixels carry take no part in what is said of all.
-        let [mut clear, mut few] = [soft.clone(), soft];
-        (clear.notes, few.notes) =
-            (vec![], vec![Finding::warning(asperity::Code::FewPixels, "pixels", 33.0)]);
-        let both = summary(&[clear.clone(), few.clone()]);
-        assert!(both.contains("in contact (1 of 2), "), "{both}");
-        assert!(both.contains("persson") && !both.contains("gw"), "{both}");
-        assert!(summary(&[clear.clone(), clear.clone()]).starts_with("over these loads, "));
-        assert!(summary(&[few]).contains("too few pixels"));
-        let notes = vec![Finding::warning(asperity::Code::ShortWaves, "shortest_wavelength", 3.0)];
-        let coarse = Truth { notes, ..usual };
-        // Half the grid is nearer than the models, or it is not.
-        let off = |area: f64| {
-            let half = Some([(Area, coarse.bem[&Area] * area)].into());
-            summary(&[Truth { half, ..coarse.clone() }])
-        };
-        let near = off(1.0003);
-        assert!(near.contains(" in real area") && near.contains("not ranked"), "{near}");
-        let [refined, alone] = [off(1.9), summary(std::slice::from_ref(&coarse))];
-        assert!(refined.contains("too coarse"), "{refined}");
-        assert!(alone.starts_with(&refined) && alone.contains("(refine)"), "{alone}");
     }
 
     #[test]
@@ -299,8 +278,5 @@ mod tests {
         for (quantity, off) in found.deviation(own) {
             assert!((off - found.deviation(gw)[&quantity]).abs() < 1e-12, "{quantity:?} {off}");
         }
-        let clear = Truth { notes: vec![], ..found };
-        let nearest = summary(&[clear]);
-        assert_eq!(nearest.matches("own (").count(), 3, "{nearest}");
     }
 }

@@ -1,9 +1,9 @@
-//! Models beside boundary elements on a scan, in sentences.
+//! Solutions of boundary elements on a scan beside what is expected of solved surfaces.
 
-use asperity::{At, Code, Compared, Described, Tolerance, nearest_in_each};
+use asperity::{At, Code, Compared, Tolerance};
 use asperity_scene::SceneFile;
 
-use super::{ContactState, Truth};
+use super::Truth;
 
 /// Codes of notes on loads that few pixels or patches carry.
 const FEW: [Code; 2] = [Code::FewPixels, Code::FewPatches];
@@ -16,81 +16,17 @@ impl Truth {
     fn has_note(&self, codes: &[Code]) -> bool {
         self.notes.iter().any(|note| codes.contains(&note.code))
     }
-
-    /// The deviation of a model in a quantity.
-    fn off(&self, id: &str, quantity: Compared) -> Option<f64> {
-        let (_, state) = self.models.iter().find(|(model, _)| model.id() == id)?;
-        self.deviation(state).get(&quantity).copied()
-    }
 }
 
-/// Why models are not ranked on solutions of a scan whose notes have these codes, a list a load,
-/// and what to do; `None` where they are.
+/// Why a solution on a scan with notes of these codes is uncertain, if it is.
 #[must_use]
-pub fn unranked(codes: &[Vec<Code>]) -> Option<[&'static str; 2]> {
-    let has = |list: &[Code], codes: &Vec<Code>| codes.iter().any(|code| list.contains(code));
-    match codes {
-        _ if codes.iter().any(|codes| has(&COARSE, codes)) => Some([
-            "the grid is too coarse for the shortest waves of the scan",
-            "set smooth, the shortest wave kept, to 16 pixels or more, or measure on smaller pixels",
-        ]),
-        _ if codes.iter().all(|codes| has(&FEW, codes)) => {
-            Some(["too few pixels or patches are in contact", "raise the load"])
-        }
+pub fn uncertain(codes: &[Code]) -> Option<&'static str> {
+    let has = |list: &[Code]| codes.iter().any(|code| list.contains(code));
+    match (has(&COARSE), has(&FEW)) {
+        (true, _) => Some("the grid is too coarse for the shortest waves of the scan"),
+        (_, true) => Some("too few pixels or patches are in contact"),
         _ => None,
     }
-}
-
-/// Which models are nearest to boundary elements over these loads, in area and the compared
-/// stiffnesses. Loads that few pixels or patches carry do not count; on a grid too coarse for the
-/// shortest waves of the scan models are ranked where half the grid differs by less than each of
-/// them.
-#[must_use]
-pub fn summary(found: &[Truth]) -> String {
-    let mut known = Compared::RANKED.to_vec();
-    known.retain(|quantity| found.iter().any(|truth| truth.bem.contains_key(quantity)));
-    let is_coarse = found.iter().any(|truth| truth.has_note(&COARSE));
-    let is_ranked = |quantity: &_| !is_coarse || grid_is_nearest(found, *quantity);
-    let (ranked, others): (Vec<_>, Vec<_>) = known.into_iter().partition(is_ranked);
-    let codes = |truth: &Truth| {
-        let codes = truth.notes.iter().map(|note| note.code);
-        codes.filter(|code| ranked.is_empty() || !COARSE.contains(code)).collect()
-    };
-    if let Some([why, remedy]) = unranked(&found.iter().map(codes).collect::<Vec<_>>()) {
-        let refine = match is_coarse && found.iter().all(|truth| truth.half.is_none()) {
-            true => ", or compare with half the grid (refine)",
-            false => "",
-        };
-        return format!("models are not ranked: {why}; {remedy}{refine}");
-    }
-    let resolved: Vec<&Truth> = found.iter().filter(|truth| !truth.has_note(&FEW)).collect();
-    let models = found.first().map_or(&[][..], |first| &first.models);
-    let ids = models.iter().map(|(model, _)| model.id());
-    let off = |id: &str, of| resolved.iter().map(|truth| truth.off(id, of)).collect();
-    let mut nearest = nearest_in_each(ids, off, &ranked).join("; ");
-    for of in others {
-        nearest += &format!("; models are not ranked in {}, which depends on the grid", of.label());
-    }
-    match (resolved.len(), found.len()) {
-        (count, all) if all == count => format!("over these loads, {nearest}"),
-        (count, all) => format!(
-            "over the loads with enough pixels and patches in contact ({count} of {all}), {nearest}"
-        ),
-    }
-}
-
-/// Whether, at their worst loads, half the grid differs from the whole one by less than each model.
-fn grid_is_nearest(found: &[Truth], quantity: Compared) -> bool {
-    let worst = |state: &dyn for<'t> Fn(&'t Truth) -> Option<&'t ContactState>| {
-        let off = |truth: &Truth| Some(truth.deviation(state(truth)?).get(&quantity)?.abs());
-        let all: Option<Vec<f64>> = found.iter().map(off).collect();
-        all?.into_iter().reduce(f64::max)
-    };
-    let count = found.first().map_or(0, |first| first.models.len());
-    let of_model = |k: usize| worst(&|truth| truth.models.get(k).map(|(_, state)| state));
-    let nearest = (0..count).filter_map(of_model).reduce(f64::min);
-    let grid = worst(&|truth| truth.half.as_ref());
-    grid.zip(nearest).is_some_and(|(grid, nearest)| grid < nearest)
 }
 
 /// Whether solutions on the scan of a scene lie in the intervals of solved surfaces, a line for

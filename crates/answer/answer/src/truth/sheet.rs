@@ -6,7 +6,7 @@ use asperity::bem::{Bem, BemError};
 use asperity::{Code, Compared, ContactError, Described, Finding, Findings, Model, Quantity};
 use asperity_scene::SceneFile;
 
-use super::{ContactState, Truth, beside_table, compare_with_bem, summary};
+use super::{ContactState, Truth, beside_table, compare_with_bem};
 use crate::bem::half_grid;
 use crate::models::{self, by_reason, grouped, once};
 use crate::{AnswerError, Cell, Sheet, Watch};
@@ -94,7 +94,6 @@ pub fn truth_of(
     let (unsupported, missing): (Vec<_>, Vec<_>) = solved.missing().into_iter().partition(never);
     by_reason(missing).into_iter().for_each(|text| sheet.warn(Code::NoValue, text));
     by_reason(unsupported).into_iter().for_each(|text| sheet.note(Code::NoValue, text));
-    sheet.result(summary(found));
     beside_table(file, found).into_iter().for_each(|line| sheet.result(line));
     for mut row in solved.rows(file.scene.nominal_area, quantities) {
         row.push(bem.continuation().name().into());

@@ -46,7 +46,8 @@ impl<M: Answering> Candidate<M> {
 
     /// Why it is not valid at a place, if it is not.
     pub(super) fn outside(&self, at: At) -> Option<Finding> {
-        let found = Check::answers_of(&self.model, &*self.contact, &[at]);
+        let contact = &*self.contact;
+        let found = Check::answers(&self.model, contact.scene(), Some(contact), &[at]);
         let limits = |one: &Finding| {
             one.code.is_of_model() || matches!(one.code, Code::Crowded | Code::Tabor)
         };

@@ -30,50 +30,41 @@ impl Check {
     /// # Errors
     /// [`ContactError`] with the reason why the scene, the model or the place is refused.
     pub fn at(model: &dyn ContactModel, scene: &Scene, at: At) -> Result<Self, ContactError> {
-        Self::of(scene)?;
+        scene.asperity()?;
         let contact = model.compile(scene, &judging()?)?;
         let mut check = Self::of_contacts(scene, contact.scene())?;
         let answer = Self::of_answer(model, &*contact, at, true)?;
-        check.keep_for(model);
         check.numbers.extend(answer.numbers);
         check.extend(answer.findings);
+        check.findings = check.findings.for_asperities(model.validity().asperities);
         Ok(check)
     }
 
     /// Findings of the answers at these places, each once: at the smallest separation, and at the
-    /// smallest and largest loads. Places without an answer have no findings.
+    /// smallest and largest loads. Where a contact of the model is given that has what is judged
+    /// ([`Quantity::JUDGED`]), nothing is compiled and no load is inverted again. Places without an
+    /// answer have no findings.
     #[must_use]
-    pub fn answers(model: &dyn ContactModel, scene: &Scene, places: &[At]) -> Findings {
+    pub fn answers(
+        model: &dyn ContactModel,
+        scene: &Scene,
+        contact: Option<&dyn Contact>,
+        places: &[At],
+    ) -> Findings {
         let places = extremes(places, scene);
-        let contact = judging().and_then(|asked| model.contact(scene, &asked.at(places.clone())));
-        contact.map_or(Findings::default(), |contact| Self::of_places(model, &*contact, &places))
-    }
-
-    /// [`answers`](Self::answers) of a contact of the model: where it has what is judged
-    /// ([`Quantity::JUDGED`]), nothing is compiled and no load is inverted again.
-    #[must_use]
-    pub fn answers_of(model: &dyn ContactModel, contact: &dyn Contact, places: &[At]) -> Findings {
-        match Quantity::JUDGED.iter().all(|judged| contact.quantities().contains(judged)) {
-            true => Self::of_places(model, contact, &extremes(places, contact.scene())),
-            false => Self::answers(model, contact.scene(), places),
-        }
-    }
-
-    fn of_places(model: &dyn ContactModel, contact: &dyn Contact, places: &[At]) -> Findings {
-        let mut check = Self::default();
-        for at in places {
-            if let Ok(answer) = Self::of_answer(model, contact, *at, false) {
-                check.extend(answer.findings);
-            }
-        }
+        let has = |contact: &&dyn Contact| {
+            Quantity::JUDGED.iter().all(|judged| contact.quantities().contains(judged))
+        };
+        let compiled = match contact.filter(has) {
+            Some(_) => None,
+            None => judging().and_then(|of| model.contact(scene, &of.at(places.clone()))).ok(),
+        };
+        let Some(contact) = compiled.as_deref().or(contact) else { return Findings::default() };
+        let answer = |at: &At| Self::of_answer(model, contact, *at, false).ok();
+        let found: Findings =
+            places.iter().filter_map(answer).flat_map(|check| check.findings).collect();
         // The worst of a few extremes: rows are not counted.
-        check.findings.into_iter().map(|found| found.in_rows(1)).collect()
-    }
-
-    /// Removes findings about asperities for models of the whole surface.
-    pub fn keep_for(&mut self, model: &dyn ContactModel) {
-        let findings = std::mem::take(&mut self.findings);
-        self.findings = findings.for_asperities(model.validity().asperities);
+        found.by_cause().into_iter().map(|found| found.in_rows(1)).collect()
     }
 
     /// All numbers if `whole`, otherwise only those with warnings: of models with inclined contacts

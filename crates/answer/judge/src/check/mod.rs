@@ -21,7 +21,6 @@ use asperity_core::{
 
 /// A number that follows from a scene.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct DerivedNumber {
     /// Its name, as in tables: `plasticity_index`.
     pub name: Cow<'static, str>,

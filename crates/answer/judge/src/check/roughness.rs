@@ -79,34 +79,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lengths_in_millimetres_are_implausible_with_that_unit() {
-        let units = |surface: Surface| {
-            let found = surface.findings();
-            assert!(found.are_implausible(), "{found:?}");
-            found.iter().map(|found| found.likely_unit.clone().unwrap()).collect::<Vec<_>>()
-        };
-        let mm = units(Surface::new(0.08, 800.0, 0.0008));
-        let wanted = ["0.08 mm is 8e-5 m", "800 1/mm2 is 8e8 1/m2"];
-        assert!(mm.iter().zip(wanted).all(|(found, end)| found.ends_with(end)), "{mm:?}");
-        let um = units(Surface::new(80.0, 8e-4, 0.8));
-        assert!(um[0].contains("like um") && um[2].contains("like 1/um2"), "{um:?}");
-    }
-
-    #[test]
-    fn a_number_that_is_large_in_its_unit_as_well_has_that_unit() {
-        let found = &Surface::new(8e-5, 8e8, 8.0).findings()[0];
-        assert!(found.to_string().ends_with("8 um is 8e-6 m"), "{found}");
-    }
-
-    #[test]
     fn an_area_that_no_joint_has_is_said_beside_a_wrong_surface() {
         let interface = asperity_core::Interface::new(1e11, 0.3, 1e9);
-        let areas = |area: f64| -> Vec<String> {
+        let units = |area: f64| -> Vec<Option<String>> {
             let scene = Scene::new(interface, Surface::new(0.05, 800.0, 0.02), area);
             let found = scene.findings().into_iter();
-            found.filter(|f| f.field == "nominal_area").map(|f| f.to_string()).collect()
+            found.filter(|f| f.field == "nominal_area").map(|f| f.likely_unit).collect()
         };
-        assert!(areas(400.0)[0].ends_with("400 looks like mm2; 400 mm2 is 4e-4 m2"));
-        assert_eq!(areas(0.02), [""; 0]);
+        assert!(units(400.0)[0].as_ref().is_some_and(|unit| unit.ends_with("is 4e-4 m2")));
+        assert!(units(0.02).is_empty());
     }
 }

@@ -285,85 +285,27 @@ fn any_number_may_be_a_range() {
         hardness = 2e9\n[[body]]\nmaterial = \"steel-100cr6\"\nthermal_conductivity = 40\n";
     let gap = "[gap]\ngas_conductivity = 0.026\ngas_parameter = 3.7e-7\n";
     let both = format!("{MOMENTS}counterface = {{ sq = 1e-6, spd = 2e8, spc = 5e3 }}\n");
-    for (scene, old, new, name, [low, high]) in [
+    let (pair, one) = (format!("{INTERFACE}{both}"), format!("{INTERFACE}{MOMENTS}"));
+    let (of_bodies, in_gas) = (format!("{bodies}{MOMENTS}"), format!("{one}{gap}"));
+    for (scene, edit, name, [low, high]) in [
+        (&one, "hardness = 2e9>hardness = [\"1.8 GPa\", 2.2e9]", "hardness", [1.8e9, 2.2e9]),
+        (&of_bodies, "2e9>[\"120 HV\", \"240 HV\"]", "body1_hardness", [1.2691e9, 2.5382e9]),
+        (&of_bodies, "ity = 40>ity = [35, 45]", "body2_thermal_conductivity", [35.0, 45.0]),
+        (&of_bodies, "= 1e-4>= [\"1 cm2\", \"2 cm2\"]", "nominal_area", [1e-4, 2e-4]),
+        (&of_bodies, "[[>work_of_adhesion = [0.05, 0.1]\n[[", "work_of_adhesion", [0.05, 0.1]),
+        (&one, "m0 = 1e-12>m0 = [4e-12, 1e-12]", "m0", [1e-12, 4e-12]),
+        (&one, "m0>peklenik_number = [1, 3]\nm0", "peklenik_number", [1.0, 3.0]),
+        (&one, "m0>heights = { skewness = [-0.5, 0.1] }\nm0", "skewness", [-0.5, 0.1]),
+        (&pair, "sq = 1e-6>sq = [1e-6, 2e-6]", "counterface_sq", [1e-6, 2e-6]),
         (
-            &*format!("{INTERFACE}{MOMENTS}"),
-            "hardness = 2e9",
-            "hardness = [\"1.8 GPa\", 2.2e9]",
-            "hardness",
-            [1.8e9, 2.2e9],
-        ),
-        (
-            &format!("{bodies}{MOMENTS}"),
-            "hardness = 2e9",
-            "hardness = [\"120 HV\", \"240 HV\"]",
-            "body1_hardness",
-            [1.2691e9, 2.5382e9],
-        ),
-        (
-            &format!("{bodies}{MOMENTS}"),
-            "ductivity = 40",
-            "ductivity = [35, 45]",
-            "body2_thermal_conductivity",
-            [35.0, 45.0],
-        ),
-        (
-            &format!("{bodies}{MOMENTS}"),
-            "area = 1e-4",
-            "area = [\"1 cm2\", \"2 cm2\"]",
-            "nominal_area",
-            [1e-4, 2e-4],
-        ),
-        (
-            &format!("{bodies}{MOMENTS}"),
-            "[[body]]",
-            "work_of_adhesion = [0.05, 0.1]\n[[body]]",
-            "work_of_adhesion",
-            [0.05, 0.1],
-        ),
-        (
-            &format!("{INTERFACE}{MOMENTS}"),
-            "m0 = 1e-12",
-            "m0 = [4e-12, 1e-12]",
-            "m0",
-            [1e-12, 4e-12],
-        ),
-        (
-            &format!("{INTERFACE}{MOMENTS}"),
-            "m0",
-            "peklenik_number = [1, 3]\nm0",
-            "peklenik_number",
-            [1.0, 3.0],
-        ),
-        (
-            &format!("{INTERFACE}{MOMENTS}"),
-            "m0",
-            "heights = { skewness = [-0.5, 0.1] }\nm0",
-            "skewness",
-            [-0.5, 0.1],
-        ),
-        (
-            &format!("{INTERFACE}{both}"),
-            "sq = 1e-6",
-            "sq = [1e-6, 2e-6]",
-            "counterface_sq",
-            [1e-6, 2e-6],
-        ),
-        (
-            &format!("{INTERFACE}{both}"),
-            "sq =",
-            "mean_plane_offset = [1e-6, 2e-6], sq =",
+            &pair,
+            "sq>mean_plane_offset = [1e-6, 2e-6], sq",
             "counterface_mean_plane_offset",
             [1e-6, 2e-6],
         ),
-        (
-            &format!("{INTERFACE}{MOMENTS}{gap}"),
-            "parameter = 3.7e-7",
-            "parameter = [0, 3.7e-7]",
-            "gas_parameter",
-            [0.0, 3.7e-7],
-        ),
+        (&in_gas, "ter = 3.7e-7>ter = [0, 3.7e-7]", "gas_parameter", [0.0, 3.7e-7]),
     ] {
+        let (old, new) = edit.split_once('>').unwrap();
         let text = scene.replacen(old, new, 1);
         let file = parse(&text, Path::new(".")).unwrap_or_else(|error| panic!("{error}\n{text}"));
         let [one] = &file.unknowns()[..] else { panic!("{text}") };

@@ -112,11 +112,7 @@ fn keywords_serde_and_scene_files_agree() {
     let json = serde_json::to_string(&from_file).unwrap();
     assert_eq!(serde_json::from_str::<ModelOptions>(&json).unwrap(), from_file);
     assert_eq!(serde_json::from_str::<ModelOptions>("{}").unwrap(), ModelOptions::default());
-    let message = serde_json::from_str::<ModelOptions>("{\"stik\":\"x\"}").unwrap_err().to_string();
-    assert!(message.contains("unknown field `stik`"), "{message}");
     assert!(matches!(by_keyword.set("stik", &"x".into()), Err(SceneError::UnknownKey { .. })));
-    let message = by_keyword.set("force", &"siz\ne".into()).unwrap_err().to_string();
-    assert!(message.starts_with("force is ") && !message.contains('\n'), "{message}");
     let harmonic = |a20| BTreeMap::from([("a20", a20), ("a21", 0.0), ("b21", 0.0)]).into();
     for (name, bad) in [
         ("angle_density", harmonic(5.0)),
@@ -127,8 +123,8 @@ fn keywords_serde_and_scene_files_agree() {
         ("displacement", BTreeMap::from([("zeta", -1.0), ("xi", 0.0)]).into()),
         ("stick", BTreeMap::from([("zeta", 1.0)]).into()),
     ] {
-        let message = by_keyword.set(name, &bad).unwrap_err().to_string();
-        assert!(message.starts_with(name) && message.ends_with(" was required"), "{message}");
+        let refused = by_keyword.set(name, &bad).unwrap_err();
+        assert!(refused.place().is_some_and(|at| at.field.starts_with(name)), "{refused}");
         assert_eq!(by_keyword, from_file);
     }
     let changed = by_keyword.changed();

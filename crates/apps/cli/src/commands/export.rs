@@ -133,7 +133,7 @@ impl ExportCommand {
             _ if film.is_some() => Separation::metres(value).from_surface_mean().into(),
             _ => Separation::film_ratio(value).into(),
         });
-        scene.report(scene.file.findings_at(&model, &ends));
+        scene.report(scene.file.judge(&model, None, &ends));
         let export = Export {
             subject: scene.subject(&model, Tolerance::default()),
             ends,

@@ -125,7 +125,7 @@ impl Closed {
             places.extend(list.value.iter().map(place));
         }
         places.extend(loads(self.load.iter().chain(&self.history_load), &self.pressure));
-        scene.report(scene.file.findings_at(model, &places));
+        scene.report(scene.file.judge(model, None, &places));
         places
     }
 

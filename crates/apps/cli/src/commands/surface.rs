@@ -217,7 +217,7 @@ impl Surface {
         for path in &self.files {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             let bytes = std::fs::read(path).with_context(|| path.display().to_string())?;
-            let lines = asperity_topography::read_header(&name, &bytes, &self.keys().options());
+            let lines = asperity_topography::read_header(&name, &bytes, &self.keys().options);
             for HeaderLine { line, text, meaning, .. } in lines.map_err(with_option)? {
                 table.add(
                     &[&line.to_string(), &text, meaning.unwrap_or_default()],
@@ -268,7 +268,8 @@ impl Surface {
             factor: text.factor,
             delimiter: text.delimiter,
         };
-        let mut keys = MeasuredKeys::default().reading(options);
+        let mut keys = MeasuredKeys::default();
+        keys.options = options;
         keys.estimator = self.estimator;
         keys.level = self.level;
         (keys.filter, keys.smooth) = (self.filter, self.smooth);
@@ -348,7 +349,7 @@ impl Surface {
 
 /// A scan as read, and despiked.
 fn read(path: &Path, keys: &MeasuredKeys) -> Result<Topography> {
-    let read = asperity_topography::read(path, &keys.options()).map_err(with_option)?;
+    let read = asperity_topography::read(path, &keys.options).map_err(with_option)?;
     keys.clean(read).with_context(|| path.display().to_string())
 }
 

@@ -37,8 +37,6 @@ fn models_are_compared_with_boundary_elements() {
     assert_eq!(run.messages.matches("warning[crowded]").count(), 1, "{}", run.messages);
     let path = bench.run("joint scan.toml --model bem --pressure 1e7 --retreat 0um,1um");
     assert!(path.code == Some(0) && path.messages.contains("[few-patches]"), "{}", path.messages);
-    // Its shortest waves are 3.5 pixels long.
-    assert!(!run.results().is_empty() && !run.messages.contains("nearest to"), "{}", run.messages);
 }
 
 #[test]

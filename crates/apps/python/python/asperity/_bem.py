@@ -196,9 +196,9 @@ def truth(
     "unloading-stiffness", as which conductances deviate. Deviations are relative to bem; that of the
     mean gap is over the rms height of the scan. A quantity that a model lacks is NaN, and so are all
     numbers of a model that needs more than the nominal area, or a pressure above 1.5 times the
-    hardness; a finding has the reason. The results name the nearest models and say whether the table
-    behind ``Scene.answer`` agrees. With ``refine`` the rows "bem-half-grid" show the effect of the grid.
-    A pressure without a solution has no rows and a warning.
+    hardness; a finding has the reason. The results say whether the table behind ``Scene.answer``
+    agrees. With ``refine`` the rows "bem-half-grid" show the effect of the grid. A pressure without
+    a solution has no rows and a warning.
     """
     name, value = place(load=load, pressure=pressure)
     pressures = floats(value, name).ravel()

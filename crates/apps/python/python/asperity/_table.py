@@ -42,7 +42,7 @@ class Table:
     columns: dict[str, Floats | list[str]]
     #: What there is to say about them, with the reasons of blanks.
     findings: tuple[Finding, ...]
-    #: Results that no column has, a sentence each, such as the nearest models.
+    #: Results that no column has, a sentence each, such as what stands behind an answer.
     results: tuple[str, ...]
 
     def __init__(

@@ -6,7 +6,7 @@ use asperity::{
     At, Check, Code, Compared, ContactError, ContactModel, Finding, Findings, Model, Quantity,
     Request, Scene, Severity, SolvedContact,
 };
-use asperity_answer::{Answer, Cell, Sheet, check_sheet, lines, solve, unranked};
+use asperity_answer::{Answer, Cell, Sheet, check_sheet, lines, solve, uncertain};
 use pyo3::prelude::*;
 
 use crate::ask::asked::{Arguments, Asked};
@@ -101,7 +101,7 @@ pub(crate) fn check_scene(
     let mut found = file.findings().for_asperities(model.validity().asperities);
     // An exception of a user's law is raised by the answer.
     if !engine.is_written() {
-        found.extend(file.findings_at(model, &places.into_iter().collect::<Vec<_>>()));
+        found.extend(file.judge(model, None, &places.into_iter().collect::<Vec<_>>()));
     }
     found
 }
@@ -176,8 +176,9 @@ pub(crate) fn best<'py>(
             run_interruptible(py, |stop| solve(&file, &at, stop))?.map_err(value_error)?
         }
         Solving::Done(rows, codes) => {
-            let codes = codes.iter().filter_map(|name| Code::named(name).ok()).collect();
-            let uncertain = unranked(&[codes]).map(|[why, _]| why.to_string());
+            let known = |name: &String| Code::named(name).ok();
+            let codes: Vec<Code> = codes.iter().filter_map(known).collect();
+            let uncertain = uncertain(&codes).map(ToString::to_string);
             let named = |(name, value): (&String, &f64)| {
                 let of = Compared::ALL.into_iter().find(|of| of.name() == name)?;
                 Some((of, *value))

@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use asperity_core::{Code, Finding};
+use serde::{Deserialize, Deserializer};
 
 use crate::error::{at_most, excerpt, out_of_range, refuse, undecided};
 use crate::{Distance, LengthUnit, MAX_POINTS, Topography, TopographyError};
@@ -14,7 +15,8 @@ const ATOM: f64 = 1e-11;
 pub(super) const DEFLATE_RATIO: usize = 1032;
 
 /// Properties that a file may not state, and the accepted share of missing points.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(default)]
 pub struct ReadOptions {
     /// Unit of the heights, and of a `pixel_size` without one. A unit stated in the file must
     /// agree.
@@ -22,6 +24,7 @@ pub struct ReadOptions {
     /// Distance of neighbouring points along a row and along a column; without a unit of its own in
     /// `unit` (by default in the unit stated in the file). A distance stated in the file must
     /// agree to one part in a thousand.
+    #[serde(deserialize_with = "sides")]
     pub pixel_size: Option<[Distance; 2]>,
     /// The largest share of missing points accepted, 0 to 1; 0.1 by default.
     pub max_missing: f64,
@@ -45,6 +48,23 @@ pub struct ReadOptions {
     /// The separator of the fields of a text, in ASCII; a space stands for any number of blanks. By
     /// default that of the first row.
     pub delimiter: Option<char>,
+}
+
+/// One distance, of square pixels, or two.
+fn sides<'de, D: Deserializer<'de>>(given: D) -> Result<Option<[Distance; 2]>, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(
+        untagged,
+        expecting = "a length in the unit of the heights or with its own (\"0.5 um\"), or a list of two, along a row and a column,"
+    )]
+    enum Sides {
+        Square(Distance),
+        Rectangle([Distance; 2]),
+    }
+    Ok(Some(match Sides::deserialize(given)? {
+        Sides::Square(side) => [side; 2],
+        Sides::Rectangle(sides) => sides,
+    }))
 }
 
 impl ReadOptions {
