@@ -3,8 +3,8 @@
 use asperity::bem::{Bem, BemOptions, Continuation};
 use asperity::film::friction_factor;
 use asperity::{
-    AngleDensity, ContactError, Displacement, FlowPressure, ForceComponent, Model, Persson,
-    Spectrum, Stick,
+    AngleDensity, ContactError, Displacement, FlowPressure, ForceComponent, LateralOptions, Model,
+    Persson, Spectrum, Stick,
 };
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
@@ -123,22 +123,19 @@ impl ModelOptions {
 
     /// Checks the ranges of the numbers; `section` is their section in errors.
     fn check(&self, document: &Document<'_>, section: &str) -> Result<(), SceneError> {
-        let at = |option: &str| joined(section, option);
-        self.angle_density.check().map_err(document.refused(&at("angle_density")))?;
+        let Self { angle_density, displacement, stick, force, .. } = *self;
+        let lateral = LateralOptions { angle_density, displacement, stick, force };
+        lateral.check().map_err(|error| {
+            let is_displacement =
+                matches!(error, ContactError::OutOfRange { field: "zeta" | "xi", .. });
+            let option = if is_displacement { "displacement" } else { "angle_density" };
+            document.refused(&joined(section, option))(error)
+        })?;
         if let Some(hurst) = self.hurst_exponent {
             Spectrum::check_hurst(hurst).map_err(document.refused(section))?;
         }
         if let Some(cut_off) = self.friction_cut_off {
             friction_factor(1.0, cut_off).map_err(document.refused(section))?;
-        }
-        if let Displacement::Given { zeta, xi } = self.displacement {
-            for (field, value) in [("zeta", zeta), ("xi", xi)] {
-                if !(value >= 0.0 && value.is_finite()) {
-                    let required = "a finite number, at least 0,";
-                    let error = ContactError::OutOfRange { field, value, required };
-                    return Err(document.refused(&at("displacement"))(error));
-                }
-            }
         }
         Ok(())
     }
