@@ -4,7 +4,7 @@ use asperity::bem::{Bem, BemOptions, Continuation};
 use asperity::film::friction_factor;
 use asperity::{
     AngleDensity, ContactError, Displacement, FlowPressure, ForceComponent, LateralOptions, Model,
-    Persson, Spectrum, Stick,
+    Persson, PerssonVariance, Spectrum, Stick,
 };
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
@@ -78,7 +78,12 @@ impl ModelOptions {
     /// # Errors
     /// [`SceneError::Refused`] with the ids that the option is for.
     pub fn check_for(id: &str, option: &str) -> Result<(), SceneError> {
-        let has = |model: &Model| model.options().is_some_and(|own| own.get(option).is_some());
+        // With yielding there are areas alone, whatever the spectrum.
+        let plastic = Some(PerssonVariance::Plastic);
+        let has = |model: &Model| {
+            let has = model.options().is_some_and(|own| own.get(option).is_some());
+            has && Persson::variance_of(model.equal().id()) != plastic
+        };
         let mut ids: Vec<String> =
             Model::all().iter().filter(|m| has(m)).map(|model| model.equal().id().into()).collect();
         ids.extend(["boundary", "elastic"].contains(&option).then(|| Bem::ID.into()));
