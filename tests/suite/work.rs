@@ -173,7 +173,7 @@ fn a_load_is_compiled_and_inverted_once() {
     let inverted = spy.samples();
     contact.separation(load).unwrap();
     assert!(inverted > 0 && spy.samples() == inverted, "{inverted} {}", spy.samples());
-    let _ = Check::answers_of(&spy, &*contact, &[load]);
+    let _ = Check::answers(&spy, &scene, Some(&*contact), &[load]);
     let judged = spy.samples() - inverted;
     let _ = contact.respond(&request);
     let answered = spy.samples() - inverted - judged;

@@ -239,15 +239,7 @@ impl SceneFile {
         // Outliers would be part of measured heights.
         let clean = !statistics.outliers.matter() && self.no_asperities().is_none();
         if clean && matches!(self.scene.heights, HeightDistribution::Gaussian) {
-            // Only one areal scan, or aligned ones, has summits.
-            let advice = match self.scan().is_some_and(|scan| !scan.is_profile()) {
-                true => {
-                    "the heights are not Gaussian; heights = \"measured\" uses those of the scan"
-                }
-                false => {
-                    "the heights are not Gaussian; use heights = { skewness = .. } or a table of heights"
-                }
-            };
+            let advice = "the heights are not Gaussian; use heights = \"measured\" (of one areal scan), { skewness = .. } or a table of heights";
             found.extend(not_gaussian(statistics).map(|(field, value, usual)| {
                 Finding::warning(Code::NotGaussian, field, value).usual(usual).advice(advice)
             }));

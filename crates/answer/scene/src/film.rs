@@ -27,23 +27,18 @@ impl SceneFile {
         };
         let counterface = self.spec.counterface.as_ref();
         let resting = counterface.and_then(|second| second.peklenik_number);
-        let refused = |reason: String| {
-            let at = Place::field(format!("surface.{PEKLENIK}")).into();
-            Err(SceneError::Refused { at, reason })
-        };
         let moving = match (self.spec.surface.peklenik_number, self.scan()) {
-            (Some(given), _) => given,
-            (None, Some(scan)) => match peklenik_number(scan) {
-                Ok(measured) => measured,
-                Err(reason) => return refused(reason),
-            },
+            (Some(given), _) => Ok(given),
+            (None, Some(scan)) => peklenik_number(scan),
             (None, None) if self.measured.is_some() => {
-                return refused(format!(
-                    "it is measured of one scan only; set {PEKLENIK} in [surface]"
-                ));
+                Err(format!("it is measured of one scan only; set {PEKLENIK} in [surface]"))
             }
-            (None, None) => 1.0,
+            (None, None) => Ok(1.0),
         };
+        let moving = moving.map_err(|reason| {
+            let at = Place::field(format!("surface.{PEKLENIK}")).into();
+            SceneError::Refused { at, reason }
+        })?;
         // Two scans of `files` have one number, as they have one section; like surfaces as well.
         let of_scans = if self.measured.is_some() || alike { moving } else { 1.0 };
         let friction_cut_off =
@@ -54,9 +49,7 @@ impl SceneFile {
             friction_cut_off,
         })
     }
-}
 
-impl SceneFile {
     /// The mean square of the heights of the second surface \[m²\], beside a scan; 0 of a single
     /// surface and of aligned scans.
     fn counter_variance(&self) -> f64 {

@@ -40,7 +40,7 @@ const SLOPE: &str = "mean_slope";
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Drawing {
     numbers: BTreeMap<&'static str, f64>,
-    finish: Option<&'static str>,
+    pub(crate) finish: Option<&'static str>,
 }
 
 type Found<T> = Result<T, ContactError>;
@@ -90,10 +90,6 @@ impl Drawing {
             *key != "finish" && edited.conflict().is_none()
         };
         FINISH.iter().copied().filter(fits).collect()
-    }
-
-    pub(crate) fn finish(&self) -> Option<&'static str> {
-        self.finish
     }
 
     /// Two keys that exclude each other, with what is needed.
@@ -306,8 +302,6 @@ impl Drawing {
     /// The errors of [`unknowns`](Self::unknowns).
     pub(crate) fn warnings(&self, place: impl Fn(&str) -> String) -> Found<Vec<Finding>> {
         let height = self.height()?;
-        let cut_offs = self.cut_offs(&height)?;
-        let across = self.slope_across(&height, cut_offs)?;
         let mut found = vec![];
         let mut warn = |key: &'static str, value: f64, fact: String, advice: &str| {
             let warning = Finding::warning(Code::RoughnessNumbers, key, value);
@@ -328,19 +322,6 @@ impl Drawing {
                 );
                 warn(key, value, fact, "check both, or remove what was not measured");
             }
-        }
-        let (slope, usual) = (across.middle(), usual_slope(height.middle()));
-        let usual_range = Range::slopes(None, cut_offs[0]).ok().map(|(_, ends)| ends);
-        let odd = usual_range.filter(|[lower, upper]| !(lower..=upper).contains(&&(slope / usual)));
-        if let Some(ends) = odd.filter(|_| self.finish != Some("polished")) {
-            let [least, most] = ends.map(|ratio| short(ratio * usual));
-            let fact = format!(
-                "the mean slope is {}, and machined surfaces of this roughness have {least} to {most}",
-                short(slope)
-            );
-            let given = ["rdq", SLOPE, "rsm"].into_iter().find(|key| self.get(key).is_some());
-            let key = given.unwrap_or("finish");
-            warn(key, slope, fact, "check the units of roughness and slope");
         }
         let ra = self.ra(&height)?;
         if let Some((feed, radius)) = self.tool()? {

@@ -82,27 +82,21 @@ fn material(row: &Record, sources: &Record) -> Option<Material> {
 }
 
 impl Material {
-    /// What is known of one of its two properties of conduction.
-    pub(crate) fn conduction(&self, key: &Field<Body>) -> Option<Finding> {
-        let (id, name) = (&self.id, key.name);
+    /// That the alloys of a pure metal conduct less.
+    pub(crate) fn pure_metal(&self, key: &Field<Body>) -> Option<Finding> {
+        let (id, own) = (&self.id, (key.get)(&self.body)?);
         let with_value =
-            || materials().iter().filter_map(|other| Some((other, (key.get)(&other.body)?)));
-        let Some(own) = (key.get)(&self.body) else {
-            let known: Vec<&str> = with_value().map(|(other, _)| &*other.id).collect();
-            let advice = format!("give {name} beside {id}, or use one of {}", known.join(", "));
-            let found = Finding::note(Code::NoConductivity, name, f64::NAN);
-            return Some(found.fact(format!("the material {id} has no {name}")).advice(advice));
-        };
+            materials().iter().filter_map(|other| Some((other, (key.get)(&other.body)?)));
         let is_alloy = |other: &Self| self.alloys.iter().any(|begins| other.id.starts_with(begins));
         // A conductivity falls and a resistivity rises.
         let less = |other: f64| (own / other).max(other / own);
-        let alloys = with_value().filter(|(other, _)| is_alloy(other));
+        let alloys = with_value.filter(|(other, _)| is_alloy(other));
         let (worst, least) = alloys.max_by(|one, other| less(one.1).total_cmp(&less(other.1)))?;
         let (times, worst) = (less(least), &worst.id);
         let fact = format!(
             "{id} is the pure metal, whose alloys conduct up to {times:.1} times less ({worst})"
         );
-        let found = Finding::note(Code::PureMetal, name, own).fact(fact);
+        let found = Finding::note(Code::PureMetal, key.name, own).fact(fact);
         Some(found.advice("use the alloy of the body"))
     }
 }

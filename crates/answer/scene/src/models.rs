@@ -112,7 +112,7 @@ impl SceneFile {
         let adhesive = interface.work_of_adhesion.map_or(vec![], |_| Model::adhesive());
         let hardening = interface.tangent_modulus.map_or(vec![], |_| Model::hardening());
         for model in known.into_iter().chain(adhesive).chain(hardening) {
-            let model = self.between(self.spec.options.model(model.id()).unwrap_or(model));
+            let model = self.model(model.id()).unwrap_or(model);
             match self.refusal(&model) {
                 None => allowed.push(model),
                 Some(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),
@@ -127,7 +127,9 @@ impl SceneFile {
         if let Some(reason) = self.no_asperities_for(model) {
             return Some(ContactError::Refused { model: model.id().into(), reason });
         }
-        model.compile(&self.scene, &Request::new([Quantity::Force])).err()
+        let of_asperities = model.validity().asperities;
+        let asked = if of_asperities { Quantity::Force } else { Quantity::Area };
+        model.compile(&self.scene, &Request::new([asked])).err()
     }
 
     /// A note that models of pairs, among these, stand for another joint than models of one surface
@@ -177,21 +179,12 @@ impl SceneFile {
     /// have the same joint; and those that the scene does not allow, each with the reason.
     #[must_use]
     pub fn models_beside_bem(&self) -> (Vec<Model>, Vec<LeftOut>) {
-        let (mut models, mut left_out) = self.allowed(Model::of_asperities());
-        let request = Request::new([Quantity::Area]);
+        let mut known = Model::of_asperities();
         for other in [Model::all_on(Asperities::Random), Model::whole_surface()].concat() {
-            let known = models.iter().any(|model| model.id() == other.id());
-            if known || left_out.iter().any(|model| model.id == other.id()) {
-                continue;
-            }
-            let model = self.model(other.id()).unwrap_or(other);
-            let refuses = self.no_asperities().is_some();
-            let refused = self.refusal(&model).filter(|_| refuses);
-            match refused.or_else(|| model.compile(&self.scene, &request).err()) {
-                None => models.push(model),
-                Some(reason) => left_out.push(LeftOut { id: model.id().into(), reason }),
+            if known.iter().all(|model| model.id() != other.id()) {
+                known.push(other);
             }
         }
-        (models, left_out)
+        self.allowed(known)
     }
 }

@@ -3,8 +3,8 @@
 use asperity::bem::{Bem, BemOptions, Continuation};
 use asperity::film::friction_factor;
 use asperity::{
-    AngleDensity, ContactError, Displacement, FlowPressure, ForceComponent, Model, Persson,
-    Spectrum, Stick,
+    AngleDensity, ContactError, Displacement, FlowPressure, ForceComponent, LateralOptions, Model,
+    Persson, PerssonVariance, Spectrum, Stick,
 };
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
@@ -78,7 +78,12 @@ impl ModelOptions {
     /// # Errors
     /// [`SceneError::Refused`] with the ids that the option is for.
     pub fn check_for(id: &str, option: &str) -> Result<(), SceneError> {
-        let has = |model: &Model| model.options().is_some_and(|own| own.get(option).is_some());
+        // With yielding there are areas alone, whatever the spectrum.
+        let plastic = Some(PerssonVariance::Plastic);
+        let has = |model: &Model| {
+            let has = model.options().is_some_and(|own| own.get(option).is_some());
+            has && Persson::variance_of(model.equal().id()) != plastic
+        };
         let mut ids: Vec<String> =
             Model::all().iter().filter(|m| has(m)).map(|model| model.equal().id().into()).collect();
         ids.extend(["boundary", "elastic"].contains(&option).then(|| Bem::ID.into()));
@@ -123,22 +128,19 @@ impl ModelOptions {
 
     /// Checks the ranges of the numbers; `section` is their section in errors.
     fn check(&self, document: &Document<'_>, section: &str) -> Result<(), SceneError> {
-        let at = |option: &str| joined(section, option);
-        self.angle_density.check().map_err(document.refused(&at("angle_density")))?;
+        let Self { angle_density, displacement, stick, force, .. } = *self;
+        let lateral = LateralOptions { angle_density, displacement, stick, force };
+        lateral.check().map_err(|error| {
+            let is_displacement =
+                matches!(error, ContactError::OutOfRange { field: "zeta" | "xi", .. });
+            let option = if is_displacement { "displacement" } else { "angle_density" };
+            document.refused(&joined(section, option))(error)
+        })?;
         if let Some(hurst) = self.hurst_exponent {
             Spectrum::check_hurst(hurst).map_err(document.refused(section))?;
         }
         if let Some(cut_off) = self.friction_cut_off {
             friction_factor(1.0, cut_off).map_err(document.refused(section))?;
-        }
-        if let Displacement::Given { zeta, xi } = self.displacement {
-            for (field, value) in [("zeta", zeta), ("xi", xi)] {
-                if !(value >= 0.0 && value.is_finite()) {
-                    let required = "a finite number, at least 0,";
-                    let error = ContactError::OutOfRange { field, value, required };
-                    return Err(document.refused(&at("displacement"))(error));
-                }
-            }
         }
         Ok(())
     }

@@ -52,7 +52,7 @@ impl SurfaceSpec {
                 format!("scan {}{}", named.display(), keys.collect::<String>())
             }
             Description::Drawing(drawing) => {
-                let finish = drawing.finish().into_iter().map(String::from);
+                let finish = drawing.finish.into_iter().map(String::from);
                 finish.chain(numbers).collect::<Vec<_>>().join(", ")
             }
             Description::Numbers(_) => numbers.collect::<Vec<_>>().join(", "),

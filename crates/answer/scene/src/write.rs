@@ -208,7 +208,7 @@ impl SurfaceSpec {
         let mut keys: Table = match &self.by {
             Description::Numbers(roughness) => roughness.by_key().map(number).collect(),
             Description::Drawing(drawing) => {
-                let finish = drawing.finish().map(|word| ("finish".into(), word.into()));
+                let finish = drawing.finish.map(|word| ("finish".into(), word.into()));
                 drawing.by_key().map(number).chain(finish).collect()
             }
             Description::Scan(scan) => keys_of_scan(scan),

@@ -67,7 +67,11 @@ pub struct LateralOptions {
 }
 
 impl LateralOptions {
-    pub(crate) fn check(&self) -> Result<(), ContactError> {
+    /// Checks the ranges of the numbers.
+    ///
+    /// # Errors
+    /// [`ContactError::OutOfRange`] naming the number.
+    pub fn check(&self) -> Result<(), ContactError> {
         self.angle_density.check()?;
         if let Displacement::Given { zeta, xi } = self.displacement {
             for (field, value) in [("zeta", zeta), ("xi", xi)] {

@@ -97,17 +97,31 @@ impl Check {
             check.add_stiffnesses(model, scene, place.map_or(at, At::from))?;
         }
         let Some((place, contacts)) = place.zip(contacts) else { return Ok(check) };
-        let yields = validity.holds_to.is_some_and(|x| x <= 1.0);
-        if (whole || yields || may_be_deep(contact, place, contacts))
+        // Elastic laws are judged by what yields; others only where it may matter.
+        let is_elastic = validity.holds_to.is_some_and(|multiple| multiple <= 1.0);
+        let asked = whole || is_elastic;
+        let [from, to] = validity.known_defect.map_or([1.0; 2], |defect| [defect.from, defect.to]);
+        let multiples = [1.0, from, to];
+        let mut shares = None;
+        if (asked || may_be_deep(contact, place, contacts))
             && let Some(laws) = model.asperity_model()
             && let Ok(law) = laws.force(&scene.asperity()?, Tolerance::new(TOLERANCE)?)
             && let Some(deep) = Interferences::of(contact, &law, place)?
         {
             let plastic = law.parts.last().is_some_and(|part| part.regime == Regime::Plastic);
             check.of_depths(model, scene, at, (&deep, plastic));
+            let critical = scene.asperity().and_then(|asperity| asperity.critical_interference());
+            shares = critical.ok().map(|w| multiples.map(|multiple| deep.beyond(multiple * w)));
         }
-        if whole || yields {
-            check.of_different_radii(model, contact, at, place);
+        // Of asperities with different radii.
+        if asked && let Ok(Some(found)) = contact.shares_beyond(place.into(), &multiples) {
+            shares = found.try_into().ok();
+        }
+        if let Some([yielding, from, to]) = shares {
+            check.add_number("yielding_share", yielding, "", YIELDING_SHARE);
+            let defect = validity.known_defect;
+            check.extend(defect.and_then(|defect| missed(model, at, from - to, &defect)));
+            check.extend(yields(model, at, yielding).filter(|_| is_elastic));
         }
         Ok(check)
     }
@@ -130,30 +144,6 @@ impl Check {
             }
         }
         Ok(())
-    }
-
-    /// Numbers and findings from the shares of the force that yielding asperities of different
-    /// radii carry; none for other models and without a hardness.
-    fn of_different_radii(
-        &mut self,
-        model: &dyn ContactModel,
-        contact: &dyn Contact,
-        at: At,
-        place: Separation,
-    ) {
-        let Validity { holds_to, known_defect, .. } = model.validity();
-        let defect = known_defect.map(|defect| [defect.from, defect.to]);
-        let mut multiples = vec![1.0];
-        multiples.extend(defect.iter().flatten());
-        let Ok(Some(beyond)) = contact.shares_beyond(place.into(), &multiples) else { return };
-        let [yielding, missing @ ..] = &beyond[..] else { return };
-        self.add_number("yielding_share", *yielding, "", YIELDING_SHARE);
-        if holds_to.is_some_and(|multiple| multiple <= 1.0) {
-            self.extend(yields(model, at, *yielding));
-        }
-        if let (Some(defect), [from, to]) = (known_defect, missing) {
-            self.extend(missed(model, at, from - to, &defect));
-        }
     }
 
     /// Numbers and findings from force \[N\], area \[m²\] and number of contacts.
@@ -238,20 +228,11 @@ impl Check {
         let critical = scene.asperity().and_then(|asperity| asperity.critical_interference());
         let Ok(critical) = critical else { return };
         self.add_number("interference_over_critical", w / critical, "", "w/w_c of it");
-        let beyond = deep.beyond(critical);
-        self.add_number("yielding_share", beyond, "", YIELDING_SHARE);
-        if let Some(misses) = model.validity().known_defect {
-            let [from, to] = [misses.from, misses.to].map(|x| deep.beyond(x * critical));
-            self.extend(missed(model, at, from - to, &misses));
-        }
-        let Some(holds_to) = model.validity().holds_to else { return };
-        let outside = deep.beyond(holds_to * critical);
-        if holds_to <= 1.0 {
-            self.extend(yields(model, at, outside));
-        } else {
-            let x = w / critical;
-            self.extend(beyond_fit(model, at, (outside, x), holds_to, plastic));
-        }
+        let holds_to = model.validity().holds_to.filter(|multiple| *multiple > 1.0);
+        self.extend(holds_to.and_then(|multiple| {
+            let outside = deep.beyond(multiple * critical);
+            beyond_fit(model, at, (outside, w / critical), multiple, plastic)
+        }));
     }
 }
 

