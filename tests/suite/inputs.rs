@@ -125,6 +125,10 @@ fn separations_and_tolerances_are_checked() {
     for bad in [0.0, -1e-3, 0.11, 1e-16, f64::NAN, f64::INFINITY] {
         refused(Tolerance::new(bad), "tolerance", bad);
     }
+    for bad in [0.0, -1.0, f64::NAN, 1e-320] {
+        refused(compiled.separations_at(bad), "load", bad);
+        refused(compiled.evaluate(Quantity::Force, At::Pressure(bad)), "pressure", bad);
+    }
     for ok in [-1e6, -0.0, 1e9] {
         assert!(compiled.evaluate(Quantity::Force, ok).is_ok(), "{ok}");
     }

@@ -14,15 +14,18 @@ fn every_model_recovers_the_separation_from_the_load() {
         scene.heights = heights;
         for model in Model::of_asperities() {
             let compiled = model.compile(&scene, &Request::new([Quantity::Force])).unwrap();
-            for s in [-2.0, 0.5, 3.0, 12.0] {
+            for s in [-63.0, -2.0, 0.5, 3.0, 12.0, 36.0] {
                 let load = compiled.evaluate(Quantity::Force, s).unwrap().value();
                 if load <= 0.0 {
                     continue;
                 }
                 let found =
                     compiled.separations_at(load).unwrap_or_else(|e| panic!("{model} {s} {e}"));
-                // d ln F/ds is at least 1 here, so the rule's 1e-10 moves the root by less.
-                assert!(found.iter().any(|d| (d.value - s).abs() < 1e-9), "{model} {s}: {found:?}");
+                // d ln F/ds is at least 1 here, so the rule's 1e-10 moves the root by less; the
+                // rules of upright models err by a hundredth of that.
+                let within = if model.validity().angles { 1e-9 } else { 1e-11 };
+                let found = found.iter().any(|d| (d.value - s).abs() < within * (1.0 + s.abs()));
+                assert!(found, "{model} {s}");
             }
         }
     }

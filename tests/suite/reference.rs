@@ -69,9 +69,6 @@ fn every_reference_value_is_met_within_the_reported_bound() {
             count += 1;
         }
     }
-    for (id, error) in &worst {
-        println!("{id}: worst relative error {error:.1e}");
-    }
     assert!(failures.is_empty(), "{} of {count}:\n{}", failures.len(), failures.join("\n"));
     assert!(count == 864 || !is_long(), "{count} rows");
     assert!(count > 500, "{count} rows");

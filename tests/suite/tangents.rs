@@ -222,25 +222,6 @@ fn the_jumps_carry_a_share_of_the_tangent() {
     }
 }
 
-#[test]
-fn the_tangent_of_jg_includes_its_small_jump() {
-    // About 0.1 % at most: far above what the difference formula resolves.
-    let scene = with_index(1.5);
-    let compiled = compiled(&model("jg"), &scene, &ASKED, 1e-13);
-    let asperity = scene.asperity().unwrap();
-    let law = model("jg").law(&asperity, Quantity::Force, Default::default()).unwrap();
-    let unit = law.interference_unit;
-    let [below, above] =
-        [1.9 * (1.0 - 1e-12), 1.9 * (1.0 + 1e-12)].map(|x| law.value(x * unit).unwrap());
-    let sigma = scene.surface.asperity_height_std;
-    let z = 1.9 * unit / sigma;
-    let density = (-0.5 * z * z).exp() / (2.0 * PI).sqrt() / sigma;
-    let jump = scene.asperities() * (above - below) * density;
-    let share = jump / value(&compiled, Quantity::Tangent, 0.0);
-    assert!((9e-4..1.1e-3).contains(&share), "{share}");
-    assert_tangent(&compiled, &[0.0], 1e-9, "JG");
-}
-
 /// √(a + z) averaged over Gaussian z is √a (1 - 1/(8a²) - 15/(128a⁴) - ..).
 #[test]
 fn tangents_far_below_the_heights_meet_the_tolerance() {

@@ -58,7 +58,7 @@ pub use request::tolerance::Tolerance;
 pub use request::{Request, linspace};
 pub use response::evaluation::{Evaluation, Share};
 pub use response::fill::FillReport;
-pub use response::plan::{Method, Plan, PlannedPart, Step};
+pub use response::plan::{Plan, PlannedPart, Step};
 pub use response::row_check::RowCheck;
 pub use response::{Column, Response};
 pub use scene::asperity::Asperity;

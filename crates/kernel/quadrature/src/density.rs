@@ -124,13 +124,8 @@ pub struct Piece {
 
 impl fmt::Debug for Piece {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Piece")
-            .field("from", &self.from)
-            .field("to", &self.to)
-            .field("sign", &self.sign)
-            .field("kinks", &self.kinks)
-            .field("origin", &self.origin)
-            .finish_non_exhaustive()
+        let range = (self.from, self.to, self.sign);
+        f.debug_struct("Piece").field("range", &range).finish_non_exhaustive()
     }
 }
 

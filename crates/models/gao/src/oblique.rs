@@ -119,7 +119,7 @@ impl AngleAverage {
             };
             let goal = 0.2 * self.tolerance;
             let rules = TanhSinh::shared();
-            let found = rules.integrate_beside(pair[0], pair[1], goal, total.abs(), integrand);
+            let found = rules.integrate(pair[0], pair[1], goal, total.abs(), integrand);
             total += found.value;
             error += found.error;
             evaluations += found.evaluations;

@@ -176,7 +176,6 @@ mod tests {
     #[test]
     fn vector_registers_change_no_digit() {
         // The plain loops, and the widest registers of this processor.
-        println!("plain loops: {:?}", Level::new());
         let gaps: Vec<f64> = (0..40).map(|k| 1e-6 * 1.6f64.powi(k)).collect();
         for response in [Response::Force(ForceComponent::default()), Response::Stiffness] {
             let normal = NormalLaw {

@@ -202,7 +202,7 @@ impl Integral {
             // In √y, because y is near κ u: small y contribute most where u is large.
             let (low, high) = (first.sqrt(), last.sqrt());
             let still = STILL * last;
-            let found = rules.integrate_beside(low, high, tolerance, total.value.abs(), |p| {
+            let found = rules.integrate(low, high, tolerance, total.value.abs(), |p| {
                 let beyond = p.left * (p.left + 2.0 * low);
                 let (x, y) = (pair[0] + beyond * self.scale, first + beyond);
                 let mut value = [0.0];

@@ -87,11 +87,11 @@ fn flat(u: f64, y: f64, power: i32) -> Estimate {
     // range may miss by more than the tables allow.
     let layer = if lowest < THIN * highest { (lowest * highest).sqrt() } else { 0.0 };
     let (rules, rest) = (TanhSinh::shared(), width - layer);
-    let main = rules.integrate(0.0, rest, 1e-15, |p| integrand(p.left, layer + p.right));
+    let main = rules.integrate(0.0, rest, 1e-15, 0.0, |p| integrand(p.left, layer + p.right));
     let mut found = main;
     if layer > 0.0 {
-        let thin = rules
-            .integrate_beside(0.0, layer, 1e-15, main.value, |p| integrand(rest + p.left, p.right));
+        let thin =
+            rules.integrate(0.0, layer, 1e-15, main.value, |p| integrand(rest + p.left, p.right));
         found.value += thin.value;
         found.error += thin.error;
         found.evaluations += thin.evaluations;

@@ -173,7 +173,7 @@ fn between(
         let (value, evaluations) = match setting {
             Setting::Tolerance(tolerance) => {
                 let at = |point: Point| integrand(point.x);
-                let found = TanhSinh::shared().integrate(ends[0], ends[1], tolerance, at);
+                let found = TanhSinh::shared().integrate(ends[0], ends[1], tolerance, 0.0, at);
                 (found.value, found.evaluations)
             }
             Setting::Points(points) => {

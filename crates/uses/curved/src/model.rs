@@ -6,11 +6,17 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use asperity_core::{
     At, Code, Contact, ContactEngine, ContactError, ContactModel, Datum, Described, Evaluation,
-    Finding, Quantity, Request, Scene, Separation, SeparationUnit, Wraps, map_runs,
+    Finding, HARDNESS_OVER_YIELD, Interface, Quantity, Request, Scene, Separation, SeparationUnit,
+    Wraps, map_runs,
 };
 
 use crate::{Curved, Shape, Solution};
 
+const FEW_ASPERITIES: &str = "the patch holds too few asperities for an average over them";
+const LARGE_PATCH: &str =
+    "bodies are taken as half spaces with parabolic surfaces, which needs a small patch";
+const YIELDS_BELOW: &str = "the bodies yield below the surface, and here they stay elastic";
+const MERGE: &str = "contacts merge in the middle of the patch";
 const NEEDS_LENGTH: &str = "set reference_length, on which it depends";
 
 /// A model of rough surfaces between curved bodies, under its own name.
@@ -209,65 +215,35 @@ impl OfBodies {
 
     /// What limits an average over asperities, Hertz' half spaces or the strength of the bodies.
     fn noted(&self, found: &Solution<'_>) -> Vec<Finding> {
-        let at = At::Load(found.load());
-        let (surface, interface) = (&self.scene.surface, &self.scene.interface);
+        let Interface { yield_strength, .. } = self.scene.interface;
+        let hardness = self.scene.interface.softer_hardness();
+        let strength = yield_strength.or(hardness.map(|hardness| hardness / HARDNESS_OVER_YIELD));
+        let spacing = self.scene.surface.asperity_density.sqrt().recip();
         let [a, b] = found.axes();
-        let least = a.min(b);
-        let mut notes = vec![];
-        let mut warn = |code, field: &'static str, value: f64, most: f64, unit, meaning| {
-            if value > most {
-                let found = Finding::warning(code, field, value).usual([0.0, most]).unit(unit);
-                notes.push(found.advice(meaning).at(at));
-            }
+        let of_radius = match self.curved.shape() {
+            Shape::Point { radius_x, radius_y } => a.max(b) / radius_x.min(radius_y),
+            Shape::Line { radius, .. } => a / radius,
         };
-        let spacing = surface.asperity_density.sqrt().recip();
-        warn(
-            Code::FewContacts,
-            "asperity_spacing_over_patch",
-            spacing / least,
-            1.0 / 3.0,
-            "",
-            "the patch holds too few asperities for an average over them",
-        );
-        let radius = match self.curved.shape() {
-            Shape::Point { radius_x, radius_y } => radius_x.min(radius_y),
-            Shape::Line { radius, .. } => radius,
-        };
-        let over = if matches!(self.curved.shape(), Shape::Line { .. }) { a } else { a.max(b) };
-        warn(
-            Code::Patch,
-            "patch_over_radius",
-            over / radius,
-            0.1,
-            "",
-            "bodies are taken as half spaces with parabolic surfaces, which needs a small patch",
-        );
-        let strength = interface.yield_strength.or_else(|| {
-            let hardness = interface.softer_hardness();
-            hardness.map(|hardness| hardness / asperity_core::HARDNESS_OVER_YIELD)
+        let few = "asperity_spacing_over_patch";
+        let peak = strength.map(|strength| (found.peak_pressure(), 1.6 * strength));
+        let central = found.central_area_fraction().ok().map(|fraction| (fraction, 0.3));
+        let limits = [
+            (Code::FewContacts, few, Some((spacing / a.min(b), 1.0 / 3.0)), "", FEW_ASPERITIES),
+            (Code::Patch, "patch_over_radius", Some((of_radius, 0.1)), "", LARGE_PATCH),
+            (Code::Patch, "peak_pressure", peak, "Pa", YIELDS_BELOW),
+            (Code::Crowded, "central_area_fraction", central, "", MERGE),
+        ];
+        let exceeded = limits.into_iter().filter_map(|(code, field, known, unit, meaning)| {
+            let (value, most) = known.filter(|(value, most)| value > most)?;
+            let found = Finding::warning(code, field, value).usual([0.0, most]).unit(unit);
+            Some(found.advice(meaning))
         });
-        if let Some(strength) = strength {
-            warn(
-                Code::Patch,
-                "peak_pressure",
-                found.peak_pressure(),
-                1.6 * strength,
-                "Pa",
-                "the bodies yield below the surface, and here they stay elastic",
-            );
-        }
-        if let Ok(fraction) = found.central_area_fraction() {
-            let meaning = "contacts merge in the middle of the patch";
-            warn(Code::Crowded, "central_area_fraction", fraction, 0.3, "", meaning);
-        }
-        if let Ok(contacts) = found.sum(Quantity::Contacts)
-            && contacts < 10.0
-        {
+        let contacts = found.sum(Quantity::Contacts).ok().filter(|contacts| *contacts < 10.0);
+        let few = contacts.map(|contacts| {
             let few = Finding::warning(Code::FewContacts, "contacts", contacts);
-            let few = few.usual([10.0, f64::INFINITY]);
-            notes.push(few.advice("a single contact of few asperities scatters").at(at));
-        }
-        notes
+            few.usual([10.0, f64::INFINITY]).advice("a single contact of few asperities scatters")
+        });
+        exceeded.chain(few).map(|note| note.at(At::Load(found.load()))).collect()
     }
 }
 

@@ -5,9 +5,7 @@ use asperity_quadrature::reach;
 use crate::engine::averages::separation_at;
 use crate::engine::prepared::{Channel, Prepared};
 use crate::error::integral_failed;
-use crate::{
-    ContactError, HeightDistribution, Method, Part, Plan, PlannedPart, Quantity, Request, Step,
-};
+use crate::{ContactError, HeightDistribution, Part, Plan, PlannedPart, Quantity, Request, Step};
 
 /// The plan for a request; builds what its rows need.
 pub(crate) fn plan(prepared: &Prepared, request: &Request) -> Result<Plan, ContactError> {
@@ -44,14 +42,17 @@ fn step(prepared: &Prepared, channel: &Channel, places: &[f64]) -> Result<Step, 
         farthest = farthest.max(reach(channel.units.onset.shifted(s)));
     }
     let method = match prepared.scene.heights {
-        HeightDistribution::Gaussian => Method::Polynomials,
-        HeightDistribution::Exponential => Method::OneIntegral,
-        HeightDistribution::Weibull(_) | HeightDistribution::Other(_) => Method::Panels,
+        HeightDistribution::Gaussian => "polynomials in the separation",
+        HeightDistribution::Exponential => {
+            "one integral for all separations above 0, as exp(-d) is a factor"
+        }
+        HeightDistribution::Weibull(_) | HeightDistribution::Other(_) => {
+            "panels that follow the heights; series in the separation between kinks, made where asked"
+        }
     };
+    let gaussian = matches!(prepared.scene.heights, HeightDistribution::Gaussian);
     // Beyond the reach, the Gaussian is below 1e-20 of its largest value.
-    let out_of_reach = |part: &Part| {
-        method == Method::Polynomials && part.range.start * channel.units.scale > farthest
-    };
+    let out_of_reach = |part: &Part| gaussian && part.range.start * channel.units.scale > farthest;
     let planned = |part: &Part| PlannedPart {
         name: part.name.to_string(),
         form: part.form.describe().into(),

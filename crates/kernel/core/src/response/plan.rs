@@ -6,31 +6,6 @@ use serde::Serialize;
 
 use crate::{At, Quantity};
 
-/// The method of an integral over the heights.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Method {
-    /// Gaussian heights: polynomials, one for each range of separations.
-    Polynomials,
-    /// Exponential heights: one integral for all separations ≥ 0, one for each below.
-    OneIntegral,
-    /// Other heights: adaptive panels, and from those series in the separation.
-    Panels,
-}
-
-impl fmt::Display for Method {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Polynomials => "polynomials in the separation",
-            Self::OneIntegral => "one integral for all separations above 0, as exp(-d) is a factor",
-            Self::Panels => {
-                "panels that follow the heights; series in the separation between kinks, made where asked"
-            }
-        })
-    }
-}
-
 /// One part of a law in a plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -54,7 +29,7 @@ pub struct Step {
     /// The requested quantities that follow from it.
     pub quantities: Vec<Quantity>,
     /// How it is integrated.
-    pub method: Method,
+    pub method: &'static str,
     /// The law's parts.
     pub parts: Vec<PlannedPart>,
     /// Terms of the shortest and the longest polynomial: products for each evaluation.

@@ -9,7 +9,7 @@ use std::sync::{Arc, OnceLock};
 use crate::{Estimate, QuadratureError, Sampler};
 use cell::{PiecewiseSeries, Source};
 
-/// OverlapSeries span a factor 64 each and cover x from 64^-21 to 64^21.
+/// Cells span a factor 64 each and cover x from 64^-21 to 64^21.
 const CELLS: usize = 42;
 const OCTAVES: i64 = 6;
 
@@ -17,7 +17,7 @@ const OCTAVES: i64 = 6;
 type Function = dyn Fn(f64) -> Estimate + Send + Sync;
 
 /// A function of x > 0 that is smooth in ln x between its kinks, where it may have fractional
-/// powers of the distance. OverlapSeries are built when first needed, and shared by all threads.
+/// powers of the distance. Cells are built when first needed, and shared by all threads.
 pub struct FunctionTable {
     source: Source,
     cells: Box<[OnceLock<Result<PiecewiseSeries, QuadratureError>>]>,

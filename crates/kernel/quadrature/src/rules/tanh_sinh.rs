@@ -38,21 +38,10 @@ impl TanhSinh {
     }
 
     /// The integral of `f` from `low` to `high`. The step is halved until two sums in a row agree
-    /// so well that the next one, with twice the digits, is within the relative `tolerance`. The
-    /// error is an estimate, which may exceed the tolerance.
+    /// so well that the next one, with twice the digits, is within the `tolerance`, relative to the
+    /// larger of this integral and `beside`, the size of another term of the same sum. The error is
+    /// an estimate, which may exceed the tolerance.
     pub fn integrate(
-        &self,
-        low: f64,
-        high: f64,
-        tolerance: f64,
-        f: impl FnMut(Point) -> f64,
-    ) -> Estimate {
-        self.integrate_beside(low, high, tolerance, 0.0, f)
-    }
-
-    /// As [`integrate`](Self::integrate), with `tolerance` relative to the larger of this integral
-    /// and `beside`, the size of another term of the same sum.
-    pub fn integrate_beside(
         &self,
         low: f64,
         high: f64,
@@ -121,10 +110,11 @@ mod tests {
     #[test]
     fn branch_points_at_both_ends() {
         let rules = TanhSinh::shared();
-        let beta = rules.integrate(0.0, 1.0, 1e-12, |p| (p.left * p.right).sqrt());
+        let beta = rules.integrate(0.0, 1.0, 1e-12, 0.0, |p| (p.left * p.right).sqrt());
         assert!((beta.value / (std::f64::consts::PI / 8.0) - 1.0).abs() < 1e-12);
         assert!(beta.evaluations < 120);
-        let shifted = rules.integrate(2.0, 6.0, 1e-12, |p| p.left.powf(0.27) * p.right.powf(1.5));
+        let shifted =
+            rules.integrate(2.0, 6.0, 1e-12, 0.0, |p| p.left.powf(0.27) * p.right.powf(1.5));
         let exact = 4f64.powf(2.77) * 0.264_893_454_034_914; // B(1.27, 2.5)
         assert!((shifted.value / exact - 1.0).abs() < 1e-11, "{}", shifted.value / exact);
     }
