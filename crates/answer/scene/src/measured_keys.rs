@@ -85,7 +85,7 @@ impl MeasuredKeys {
     pub fn reading(self, options: ReadOptions) -> Self {
         let ReadOptions { unit, pixel_size, max_missing, channel, .. } = options;
         let ReadOptions { units, columns, skip_lines, missing, factor, delimiter, .. } = options;
-        let (pixel_size, max_missing) = (pixel_size.map(PixelSize::Rectangle), Some(max_missing));
+        let pixel_size = pixel_size.map(PixelSize::Rectangle);
         let read = Self { unit, pixel_size, max_missing, channel, units, columns, ..self };
         Self { skip_lines, missing, factor, delimiter, ..read }
     }
@@ -97,11 +97,10 @@ impl MeasuredKeys {
             PixelSize::Square(side) => [side; 2],
             PixelSize::Rectangle(sides) => sides,
         });
-        let max_missing = self.max_missing.unwrap_or(ReadOptions::default().max_missing);
         ReadOptions {
             unit: self.unit,
             pixel_size,
-            max_missing,
+            max_missing: self.max_missing,
             channel: self.channel.clone(),
             units: self.units.clone(),
             columns: self.columns.clone(),

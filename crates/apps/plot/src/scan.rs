@@ -1,6 +1,6 @@
 //! The report of a measured surface: its map, and its curves.
 
-use asperity_topography::{Glance, Topography};
+use asperity_topography::{Glance, Parameters, Topography};
 
 use crate::canvas::{Type, picture};
 use crate::error::PlotError;
@@ -22,7 +22,7 @@ const SPREAD: f64 = 4.0;
 
 /// Draws a levelled and filtered surface with its report: its map, the density of its heights,
 /// spectra, slope and curvature against scale; returns the text of an svg. With a title, it has a
-/// [caption](Topography::caption) as well; without one, the page around it has.
+/// [caption](caption_of_surface) as well; without one, the page around it has.
 ///
 /// # Errors
 /// The errors of [`draw`](crate::draw) and [`draw_map`](crate::draw_map).
@@ -62,7 +62,7 @@ pub fn draw_surface(
     if let Some(title) = title {
         // Underscores of file names lower no letters.
         figure.title = title.replace('_', "_\u{200b}");
-        figure.caption = surface.caption(glance);
+        figure.caption = caption_of_surface(surface, glance);
     }
     if low > lowest || high < highest {
         let text =
@@ -83,6 +83,40 @@ pub fn draw_surface(
         }
         each.try_for_each(|(plot, frame)| plot.draw(canvas, frame))
     })
+}
+
+/// Sentences below the picture of a surface.
+#[must_use]
+pub fn caption_of_surface(surface: &Topography, glance: &Glance) -> Vec<String> {
+    let Parameters { sq, ssk, sku, .. } = glance.parameters;
+    let [dx, dy] = surface.pixel_size().map(said);
+    let (columns, rows) = (surface.columns(), surface.rows());
+    let missing = 100.0 * surface.missing_share();
+    let (filter, sq) = (&glance.filter, said(sq));
+    let mut first = format!(
+        "{columns} x {rows} points, {dx} x {dy} apart; {filter}; {missing:.2} % missing. Sq = {sq}, Ssk = {ssk:.2}, Sku = {sku:.2}."
+    );
+    if let Some((ratio, lay)) = glance.texture.and_then(|lay| Some((lay.ratio()?, lay.direction))) {
+        first += &format!(
+            " Rms slope across the lay over that along it: {ratio:.2}; lay at {lay:.0}° from the rows."
+        );
+    }
+    let law = match &glance.power_law {
+        Ok(law) if law.roll_off.or(law.cut_off).is_some() => Some(
+            "Dashed in the radial spectrum: the wavelengths between which the power law holds."
+                .into(),
+        ),
+        Err(reason) if !surface.is_profile() => Some(format!("No power law is drawn: {reason}.")),
+        _ => None,
+    };
+    std::iter::once(first).chain(law).collect()
+}
+
+/// A length with three digits.
+fn said(length: f64) -> String {
+    let (of, name) = legible(length, "m");
+    let digits = format!("{:.2e}", length / of).parse().map_or(String::new(), number);
+    format!("{digits} {name}")
 }
 
 /// The panels of the csv, after one that keeps the place of the map.
@@ -131,12 +165,7 @@ fn figure(glance: &Glance, csv: &str, height: f64, of_height: &str) -> Figure {
             }
         }
         if let ("radial", Some(law)) = (key, law) {
-            let mark = |length: f64| {
-                let (of, name) = legible(length, "m");
-                // Three digits.
-                let text = format!("{:.2e}", length / of).parse().map_or(String::new(), number);
-                Mark::new(std::f64::consts::TAU / length, &format!("{text} {name}"))
-            };
+            let mark = |length: f64| Mark::new(std::f64::consts::TAU / length, &said(length));
             panel.verticals = law.roll_off.into_iter().chain(law.cut_off).map(mark).collect();
         }
         figure.panels.push(panel);

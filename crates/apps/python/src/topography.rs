@@ -79,7 +79,7 @@ impl Topography {
         let options = ReadOptions {
             unit,
             pixel_size,
-            max_missing,
+            max_missing: Some(max_missing),
             channel,
             units,
             columns,
@@ -195,7 +195,8 @@ impl Topography {
         &self,
         py: Python<'py>,
     ) -> PyResult<(Bound<'py, PyTuple>, Bound<'py, PyTuple>)> {
-        let found = py.detach(|| self.0.height_density()).map_err(value_error)?;
+        let density = || self.0.summits()?.height_density();
+        let found = py.detach(density).map_err(value_error)?;
         Ok((PyTuple::new(py, found.heights_m)?, PyTuple::new(py, found.density_per_m)?))
     }
 

@@ -5,7 +5,8 @@ use std::f64::consts::{PI, TAU};
 
 use asperity_fft::Complex64;
 
-use crate::error::at_most;
+use crate::error::{at_most, refuse};
+use crate::topography::transposed;
 use crate::{Topography, TopographyError};
 
 /// Bins in an octave of wave numbers.
@@ -55,17 +56,16 @@ impl Topography {
     /// its round window. Missing points are [filled](Self::fill) first.
     ///
     /// # Errors
-    /// The errors of [`fill`](Self::fill); [`TopographyError::TooLarge`] above 2²⁴ points;
-    /// [`TopographyError::Flat`] when all heights are equal; [`TopographyError::TooFew`] below four
-    /// points along a row, or along a column.
+    /// The errors of [`fill`](Self::fill); [`TopographyError::Content`] above 2²⁴ points;
+    /// [`TopographyError::Flat`] when all heights are equal; [`TopographyError::Content`] below
+    /// four points along a row, or along a column.
     pub fn spectra(&self) -> Result<Spectra, TopographyError> {
         let (rows, columns) = (self.rows(), self.columns());
         let size = self.heights().len() as u64;
         at_most("the number of points of a spectrum", size, MOST as u64)?;
         let least = if rows > 1 { rows.min(columns) } else { columns };
         if least < 4 {
-            let what = "points along a side";
-            return Err(TopographyError::TooFew { what, found: least, required: 4 });
+            return Err(refuse("points along a side", least, "at least 4"));
         }
         let whole = match self.missing_share() > 0.0 {
             true => Cow::Owned(self.clone().fill()?),
@@ -200,10 +200,7 @@ fn both(
     plan: fn(usize) -> std::sync::Arc<dyn asperity_fft::Fft<f64>>,
 ) -> Vec<Complex64> {
     plan(columns).process(&mut values);
-    let mut turned = vec![Complex64::ZERO; values.len()];
-    for (i, row) in values.chunks(columns).enumerate() {
-        row.iter().enumerate().for_each(|(j, value)| turned[j * rows + i] = *value);
-    }
+    let mut turned = transposed(&values, columns);
     plan(rows).process(&mut turned);
     turned
 }

@@ -8,9 +8,6 @@ use crate::Statistics;
 const SLOPE: [f64; 2] = [5e-4, 1.0];
 /// Kurtosis above which a few points dominate: exponential heights have 9, honed ones up to 20.
 const FAT: f64 = 30.0;
-/// Sq \[m\] of surfaces, from cleaved mica to the texture of asphalt.
-const SQ: [f64; 2] = [3e-11, 2e-3];
-
 impl Statistics {
     /// An unusual rms slope of a scan with this pixel size \[m\], most often by a wrong unit.
     #[must_use]
@@ -21,15 +18,6 @@ impl Statistics {
             .usual(SLOPE)
             .advice(format!("check unit and pixel_size ({pixel_size:e} m)"));
         (!(SLOPE[0]..=SLOPE[1]).contains(&slope)).then_some(found)
-    }
-
-    /// An unusual Sq of a scan whose slopes are usual: of a height and a pixel size in one wrong
-    /// unit.
-    #[must_use]
-    pub fn unusual_height(&self) -> Option<Finding> {
-        let found = Finding::warning(Code::UnusualSize, "sq", self.sq).unit("m").usual(SQ);
-        let found = found.advice("check unit, in which heights and pixel_size are read");
-        (!(SQ[0]..=SQ[1]).contains(&self.sq)).then_some(found)
     }
 
     /// A kurtosis that a few points far from the others make, where these are no outliers of

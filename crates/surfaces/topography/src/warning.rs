@@ -7,11 +7,6 @@ use crate::{Level, Moments, Outliers, Texture, TopographyError};
 
 /// Factor above which two parameters disagree.
 const APART: f64 = 2.0;
-/// Largest accepted decrease of the summit density at half the resolution: white noise has 4.
-const SUMMITS: f64 = 2.0;
-/// Largest accepted decrease of m₄ of a profile at half the resolution: white noise has 16.
-const CURVATURE: f64 = 4.0;
-
 const ROUGH: &str =
     "form and waviness increase Sq, noise increases eta; use level quadratic, filter or smooth";
 const SMOOTH: &str = "the scan is smoothed, too coarse for the asperities, or of a regular surface; use a smaller pixel size";
@@ -56,26 +51,20 @@ pub(crate) fn no_second_estimator(reason: &TopographyError) -> Finding {
         .advice(reason.to_string())
 }
 
-/// A warning if the pixel size determines the number of summits per area \[1/m²\], of all points
-/// and of every second one.
-pub(crate) fn summits_follow_sampling([fine, coarse]: [f64; 2]) -> Option<Finding> {
-    let found = Finding::warning(Code::SummitsFollowSampling, "summit_density", fine);
-    follows_sampling(found, "summit density", [fine, coarse], SUMMITS)
-}
-
-/// A warning if the pixel size determines m₄ \[1/m²\] of a profile, of all points and of every
-/// second one.
-pub(crate) fn curvature_follows_sampling([fine, coarse]: [f64; 2]) -> Option<Finding> {
-    let found = Finding::warning(Code::CurvatureFollowsSampling, "m4", fine);
-    follows_sampling(found, "m4", [fine, coarse], CURVATURE)
-}
-
-fn follows_sampling(found: Finding, of: &str, values: [f64; 2], most: f64) -> Option<Finding> {
-    let [fine, coarse] = values;
-    let found = found
+/// A warning if the pixel size determines a number \[1/m²\] by more than a factor, from its value
+/// for all points and for every second one.
+pub(crate) fn follows_sampling(
+    (code, of): (Code, &'static str),
+    [fine, coarse]: [f64; 2],
+    most: f64,
+) -> Option<Finding> {
+    let found = Finding::warning(code, of, fine)
         .usual([0.0, most * coarse])
         .unit("1/m2")
-        .fact(format!("{of} is {fine:.4e} 1/m2, and {coarse:.4e} at half the resolution"))
+        .fact(format!(
+            "{} is {fine:.4e} 1/m2, and {coarse:.4e} at half the resolution",
+            of.replace('_', " ")
+        ))
         .advice(
             "the result depends on the pixel size; smooth the scan, or use a pixel size suited to the contact",
         );

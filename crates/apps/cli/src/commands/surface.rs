@@ -158,13 +158,14 @@ impl Surface {
             let seam = asperity_scene::open_seam(surface).into_iter();
             let [dx, dy] = surface.pixel_size();
             let slope = statistics.unusual_slope(dx.max(dy));
-            let size = slope.or_else(|| statistics.unusual_height());
+            let size = slope.or_else(|| asperity::unusual("sq", statistics.sq));
             let size = size.into_iter().chain(statistics.unusual_kurtosis());
             let of_scan = seam.chain(size).chain(statistics.warnings.iter().cloned());
             found.extend(of_scan.map(|found| found.from_origin(of())));
             each.push(statistics);
             if self.heights.is_some() {
-                density = Some(surface.height_density().with_context(of)?);
+                let found = surface.summits().and_then(|summits| summits.height_density());
+                density = Some(found.with_context(of)?);
             }
             if scans.len() == 1 {
                 let level = self.level.unwrap_or(Level::usual(self.periodic));
@@ -259,7 +260,7 @@ impl Surface {
         let options = ReadOptions {
             unit,
             pixel_size,
-            max_missing,
+            max_missing: Some(max_missing),
             channel,
             units: text.units,
             columns: text.columns,
@@ -313,7 +314,7 @@ impl Surface {
         };
         let heights = self.heights.as_deref().map(|file| beside(path, file)).transpose()?;
         let heights = heights.map(|file| toml::Table::from_iter([("file".into(), file.into())]));
-        let usual = ReadOptions::default().max_missing;
+        let usual = ReadOptions::MAX_MISSING;
         let max_missing = Some(self.max_missing).filter(|share| share.total_cmp(&usual).is_ne());
         let texts = |units: &[LengthUnit]| {
             Value::from(units.iter().map(LengthUnit::to_string).collect::<Vec<_>>())

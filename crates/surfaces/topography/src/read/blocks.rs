@@ -4,11 +4,11 @@ use super::header::is_known;
 use super::lines::{COMMENT, Delimiter, text, value};
 use super::scan::ReadOptions;
 use super::words::meanings;
-use crate::error::{at_most, refuse_line};
+use crate::error::{at_most, refuse, refuse_line};
 use crate::{MAX_POINTS, TopographyError};
 
 /// Header lines, and rows of numbers; NaN for missing values.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Block {
     /// Lines before the first row, with their numbers.
     pub(super) header: Vec<(usize, String)>,
@@ -114,19 +114,7 @@ impl Block {
         // Capacity for rows as long as the first; no row has more fields than bytes.
         let expected = (bytes / (line.len() + 1) + 1) * columns;
         let values = Vec::with_capacity(expected.min(MAX_POINTS));
-        let closed = open.is_some();
-        let (header, gaps) = (vec![], vec![]);
-        Self {
-            header,
-            values,
-            columns,
-            delimiter,
-            line: 0,
-            ragged: None,
-            gaps,
-            closed,
-            decimal: None,
-        }
+        Self { values, columns, delimiter, closed: open.is_some(), ..Self::default() }
     }
 
     pub(super) fn rows(&self) -> usize {
@@ -152,14 +140,9 @@ impl Block {
         for field in self.delimiter.fields(line) {
             let Some(value) = value(field, comma) else {
                 self.values.truncate(start);
-                return Err(refuse_line(
-                    number,
-                    &text(field),
-                    match comma {
-                        true => "a finite number, or nan,",
-                        false => "a finite number with a decimal point, or nan,",
-                    },
-                ));
+                let point = if comma { "" } else { " with a decimal point" };
+                let required = format!("a finite number{point}, or nan,");
+                return Err(refuse_line(number, &text(field), &required));
             };
             self.values.push(value);
         }
@@ -171,7 +154,9 @@ impl Block {
         }
         let (found, required) = (self.values.len() - start, self.columns);
         if found != required && self.ragged.is_none() {
-            self.ragged = Some(TopographyError::RowLength { line: number, found, required });
+            let required = format!("a row of {required}, as the first,");
+            let row = format!("a row of {found}");
+            self.ragged = Some(refuse(format!("line {number}"), row, required));
         }
         if blank {
             self.gaps.push((start / self.columns, number));
@@ -190,13 +175,10 @@ impl Block {
         }
         let lines = std::iter::once(self.line).chain(self.gaps.iter().map(|(_, line)| *line));
         let tables = self.values.chunks(size * self.columns).zip(lines);
-        let part = |(values, line): (&[f64], usize)| Self {
-            header: self.header.clone(),
-            values: values.to_vec(),
-            line,
-            ragged: None,
-            gaps: vec![],
-            ..self
+        let Self { columns, delimiter, .. } = self;
+        let part = |(values, line): (&[f64], usize)| {
+            let (header, values) = (self.header.clone(), values.to_vec());
+            Self { header, values, columns, delimiter, line, ..Self::default() }
         };
         tables.map(part).collect()
     }

@@ -47,7 +47,7 @@ pub(super) fn text(line: &[u8]) -> String {
 }
 
 /// The separator of the fields of a line; a space stands for any number of blanks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Delimiter(pub(super) u8);
 
 impl Delimiter {

@@ -7,10 +7,11 @@ use std::io::Cursor;
 
 use zip::ZipArchive;
 
-use super::sample::Sample;
-use super::scan::{Scan, points, transposed};
+use super::sample::{Bytes, Sample};
+use super::scan::{Scan, points};
 use crate::TopographyError;
 use crate::error::{damaged, refuse};
+use crate::topography::transposed;
 
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 /// The limit of NumPy itself.
@@ -57,27 +58,20 @@ fn parts(bytes: &[u8]) -> Result<(&str, &[u8]), TopographyError> {
     let Some(rest) = bytes.strip_prefix(MAGIC) else {
         return Err(damaged("npy", "it does not begin with \\x93NUMPY"));
     };
-    let (version, rest) = rest.split_first_chunk().ok_or_else(short)?;
-    let (length, rest) = match version {
-        [1, 0] => {
-            let (length, rest) = rest.split_first_chunk().ok_or_else(short)?;
-            (usize::from(u16::from_le_bytes(*length)), rest)
-        }
-        [2 | 3, 0] => {
-            let (length, rest) = rest.split_first_chunk().ok_or_else(short)?;
-            (u32::from_le_bytes(*length) as usize, rest)
-        }
-        [major, minor] => {
-            return Err(refuse("npy version", format!("{major}.{minor}"), "1.0, 2.0 or 3.0"));
-        }
+    let mut rest = Bytes(rest);
+    let size = match rest.take(2).ok_or_else(short)? {
+        [1, 0] => *b"u2",
+        [2 | 3, 0] => *b"u4",
+        other => return Err(refuse("npy version", format!("{other:?}"), "1.0, 2.0 or 3.0")),
     };
+    let length = rest.number(size).ok_or_else(short)? as usize;
     if length > MAX_HEADER {
         let required = format!("at most {MAX_HEADER} bytes");
         return Err(refuse("npy header", format!("{length} bytes"), required));
     }
-    let (header, data) = rest.split_at_checked(length).ok_or_else(short)?;
-    let text = std::str::from_utf8(header).map_err(|_| damaged("npy", "its header is not text"))?;
-    Ok((text, data))
+    let header = rest.take(length).ok_or_else(short)?;
+    let text = std::str::from_utf8(header);
+    Ok((text.map_err(|_| damaged("npy", "its header is not text"))?, rest.0))
 }
 
 struct Header {

@@ -10,7 +10,7 @@ use asperity_core::{Code, Finding};
 use flate2::read::ZlibDecoder;
 
 use super::lines::text;
-use super::sample::Sample;
+use super::sample::{Bytes, Sample};
 use super::scan::{DEFLATE_RATIO, Scan, mirror_columns, mirror_rows, points, positive, select};
 use crate::error::{damaged, refuse};
 use crate::{LengthUnit, TopographyError};
@@ -199,41 +199,24 @@ impl Header<'_> {
     }
 }
 
-/// The unpacked data of exactly `size` bytes.
+/// The unpacked data of exactly `size` bytes: the number of streams, their sizes, the streams.
 fn unpack(data: &[u8], size: usize) -> Result<Vec<u8>, TopographyError> {
-    let refuse = |found: &str, required: String| refuse("sur compressed data", found, required);
-    if size / DEFLATE_RATIO > data.len() {
-        let required = format!("enough for {size} unpacked bytes");
-        return Err(refuse(&format!("{} bytes", data.len()), required));
-    }
-    let short = || refuse("a short table", "the sizes of all streams".into());
-    let number = |bytes: &[u8; 4]| u32::from_le_bytes(*bytes) as usize;
-    let (count, table) = data.split_first_chunk().ok_or_else(short)?;
-    let table_size = number(count).checked_mul(8).ok_or_else(short)?;
-    let (table, mut streams) = table.split_at_checked(table_size).ok_or_else(short)?;
-    let sizes = table.as_chunks().0.as_chunks().0;
-    let wrong_size =
-        |found: String| refuse(&found, format!("{size} bytes for the points of the header"));
-    let mut unpacked = Vec::with_capacity(size);
-    for [plain, packed] in sizes {
-        let (plain, packed) = (number(plain), number(packed));
-        let wrong = |found: String| refuse(&found, format!("{plain} bytes unpacked from {packed}"));
-        let stream = streams.split_at_checked(packed);
-        let (stream, rest) = stream.ok_or_else(|| wrong(format!("{} bytes", streams.len())))?;
-        if plain > size - unpacked.len() {
-            return Err(wrong_size(format!("streams of {plain} bytes")));
+    let whole = || {
+        let mut streams = Bytes(data);
+        let count = streams.count()?;
+        let mut sizes = Bytes(streams.take(count.checked_mul(8)?)?);
+        let mut unpacked = Vec::with_capacity(size);
+        for _ in 0..count {
+            let (plain, packed) = (sizes.count()?, sizes.count()?);
+            let end = unpacked.len().checked_add(plain).filter(|end| *end <= size)?;
+            // One byte more tells whether the stream ends there, and checks its checksum.
+            let mut decoder = ZlibDecoder::new(streams.take(packed)?).take(plain as u64 + 1);
+            decoder.read_to_end(&mut unpacked).ok().filter(|_| unpacked.len() == end)?;
         }
-        let before = unpacked.len();
-        // One byte more tells whether the stream ends there, and checks its checksum.
-        let mut decoder = ZlibDecoder::new(stream).take(plain as u64 + 1);
-        decoder.read_to_end(&mut unpacked).map_err(|error| wrong(error.to_string()))?;
-        if unpacked.len() - before != plain {
-            return Err(wrong(format!("{} bytes", unpacked.len() - before)));
-        }
-        streams = rest;
-    }
-    match unpacked.len() == size {
-        true => Ok(unpacked),
-        false => Err(wrong_size(format!("{} bytes", unpacked.len()))),
-    }
+        Some(unpacked).filter(|unpacked| unpacked.len() == size)
+    };
+    let reason = "its compressed data are not those of the points in its header; copy or export the file again";
+    // A short file cannot hold so many points, and none are reserved.
+    let found = if size / DEFLATE_RATIO > data.len() { None } else { whole() };
+    found.ok_or_else(|| damaged("sur", reason))
 }

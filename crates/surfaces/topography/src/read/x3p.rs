@@ -76,7 +76,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
             *number = finite * stored.step + stored.offset;
         }
     }
-    let unit = Some(LengthUnit::Metre);
+    let unit = Some(LengthUnit::METRE);
     if description.stored.len() == 3 {
         let placed = |point: &&[f64]| point.iter().take(2).all(|place| !place.is_nan());
         let placed = numbers.chunks(3).filter(placed).flatten().copied().collect();

@@ -16,7 +16,7 @@ const HEIGHTS: [f64; 20] =
 
 fn in_um(pixel_size: [f64; 2]) -> ReadOptions {
     ReadOptions {
-        unit: Some(LengthUnit::Micrometre),
+        unit: Some("um".parse().unwrap()),
         pixel_size: Some(pixel_size.map(Distance::from)),
         ..ReadOptions::default()
     }
@@ -80,7 +80,7 @@ fn points_of_a_grid_are_read() {
     // Without a header all three columns are in the unit of the options.
     let bare: String = text.lines().skip(1).map(|line| line.to_owned() + "\n").collect();
     assert!(message("a.xyz", bare.as_bytes(), &ReadOptions::default()).contains("give unit"));
-    let options = ReadOptions { unit: Some(LengthUnit::Millimetre), ..ReadOptions::default() };
+    let options = ReadOptions { unit: Some("mm".parse().unwrap()), ..ReadOptions::default() };
     check(&read_bytes("a.xyz", bare.as_bytes(), &options).unwrap(), 1e-3, [1e-4, 2e-4]);
     // An absent point is missing.
     let holed: String = bare.lines().skip(1).map(|line| line.to_owned() + "\n").collect();
@@ -91,7 +91,7 @@ fn points_of_a_grid_are_read() {
 #[test]
 fn profiles_are_read() {
     let text = "x [mm]; z [µm]\n0;1.5\n0.01;2.5\n0.02;nan\n0.03;4.5\n";
-    let options = ReadOptions { max_missing: 0.25, ..ReadOptions::default() };
+    let options = ReadOptions { max_missing: Some(0.25), ..ReadOptions::default() };
     let profile = read_bytes("a.csv", text.as_bytes(), &options).unwrap();
     assert!(profile.is_profile());
     assert!((profile.pixel_size()[0] / 1e-5 - 1.0).abs() < 1e-12);
@@ -101,7 +101,7 @@ fn profiles_are_read() {
     let row = read_bytes("a.txt", b"1 2 3 4 5", &in_um([0.5, 9.0])).unwrap();
     assert_eq!((row.is_profile(), row.columns()), (true, 5));
     // Unequal distances are interpolated linearly, which is said.
-    let in_um = ReadOptions { unit: Some(LengthUnit::Micrometre), ..ReadOptions::default() };
+    let in_um = ReadOptions { unit: Some("um".parse().unwrap()), ..ReadOptions::default() };
     let uneven = read_bytes("a.csv", b"4,3\n1,2\n0,1\n", &in_um).unwrap();
     assert!((uneven.pixel_size()[0] / 2e-6 - 1.0).abs() < 1e-12);
     assert!((uneven.heights()[1] / (7.0 / 3.0 * 1e-6) - 1.0).abs() < 1e-12);
@@ -137,7 +137,7 @@ fn x3p_archives_are_read() {
     let surface = x3p_of(&X3p { data: doubles.clone(), ..X3p::default() });
     check(&read_bytes("a.x3p", &surface, &ReadOptions::default()).unwrap(), 1e-6, [5e-7, 2.5e-7]);
     // Options must agree with the file.
-    let options = ReadOptions { unit: Some(LengthUnit::Metre), ..ReadOptions::default() };
+    let options = ReadOptions { unit: Some(LengthUnit::METRE), ..ReadOptions::default() };
     assert!(read_bytes("a.x3p", &surface, &options).is_ok());
     let unit = read_bytes("a.x3p", &surface, &in_um([0.5, 0.25]));
     assert!(matches!(unit, Err(TopographyError::Contradiction { option: "unit", .. })));

@@ -56,7 +56,7 @@ fn a_second_table_is_a_second_image() {
             "unit=nm pixel=0.25um channel=3",
             "",
         ),
-        (format!("{0},,\n{0}", COMMA.matrix(|z| z)), first, "has 3 numbers"),
+        (format!("{0},,\n{0}", COMMA.matrix(|z| z)), first, "a row of 3"),
         // A comment, a broken row, a last word and metadata behind the table are none.
         (gwy("nm") + "# exported\n" + "# by hand\n", "", ""),
         (gwy("nm").replacen('\n', "\n# note: 3\n", 9), "", ""),

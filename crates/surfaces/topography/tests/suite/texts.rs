@@ -1,8 +1,6 @@
 //! One map in the dialects of instruments and programs is read as the map.
 
-use asperity_topography::{
-    LengthUnit, ReadOptions, Topography, TopographyError, read_bytes, read_header,
-};
+use asperity_topography::{ReadOptions, Topography, TopographyError, read_bytes, read_header};
 
 pub const COLUMNS: usize = 24;
 pub const ROWS: usize = 18;
@@ -75,7 +73,7 @@ pub const LANGUAGES: [[&str; 4]; 10] = [
 ];
 
 pub fn options(text: &str) -> ReadOptions {
-    let mut options = ReadOptions { max_missing: 0.5, ..ReadOptions::default() };
+    let mut options = ReadOptions { max_missing: Some(0.5), ..ReadOptions::default() };
     for (key, value) in text.split_whitespace().map(|pair| pair.split_once('=').unwrap()) {
         match key {
             "unit" => options.unit = Some(value.parse().unwrap()),
@@ -366,5 +364,5 @@ fn every_line_of_a_header_is_understood_or_listed() {
         found[2].text.contains("21.5")
             && read_header("a.txt", b"no", &ReadOptions::default()).is_err()
     );
-    assert!(options("units=um,nm").units.is_some_and(|units| units[1] == LengthUnit::Nanometre));
+    assert!(options("units=um,nm").units.is_some_and(|units| units[1] == "nm".parse().unwrap()));
 }
