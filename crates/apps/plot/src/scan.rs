@@ -1,8 +1,9 @@
 //! The report of a measured surface: its map, and its curves.
 
-use asperity_topography::{Glance, Parameters, Topography};
+use asperity_topography::{Functional, Glance, MaterialRatio, Parameters, Topography};
 
 use crate::canvas::{Type, picture};
+use crate::draw;
 use crate::error::PlotError;
 use crate::figure::{Axis, Figure, Mark, Panel};
 use crate::layout::Layout;
@@ -83,6 +84,38 @@ pub fn draw_surface(
         }
         each.try_for_each(|(plot, frame)| plot.draw(canvas, frame))
     })
+}
+
+/// Draws the material ratio curve of a surface from its csv, with the secant of least slope, the
+/// line of the core and its ends; of a profile with the names of profiles.
+///
+/// # Errors
+/// The errors of [`draw`](crate::draw).
+pub fn draw_material_ratio(
+    curve: &MaterialRatio,
+    is_profile: bool,
+    title: &str,
+) -> Result<String, PlotError> {
+    let csv = curve.csv();
+    let Functional { sk, spk, svk, smr1, smr2, .. } = curve.functional();
+    let (height, of_height) = legible(curve.height(0.0) - curve.height(1.0), "m");
+    let x = Axis::new("material_ratio", "material ratio (%)").times(100.0).range(0.0, 1.0);
+    let y = Axis::new("height_m", &format!("height above the mean ({of_height})"));
+    let mut panel = Panel::new(x, y.times(1.0 / height));
+    let secant =
+        Curve { every_point: true, ..Curve::new(1, "secant", "secant of least slope over 40 %") };
+    let core = Curve::new(2, "core", "line of the core");
+    panel.curves = vec![Curve::new(0, "curve", "material ratio curve"), secant, core];
+    let letter = if is_profile { "R" } else { "S" };
+    let mark = |name: &str, share: f64| {
+        Mark::new(share, &format!("{letter}{name} {:.1} %", 100.0 * share))
+    };
+    panel.verticals = vec![mark("mr1", smr1), mark("mr2", smr2)];
+    let [sk, spk, svk] = [sk, spk, svk].map(said);
+    let caption = format!(
+        "{letter}k = {sk}, {letter}pk = {spk}, {letter}vk = {svk}. The line of the core is fitted by least squares to the points under the secant; the curve has its heights at 0 and 100 % at {letter}mr1 and {letter}mr2."
+    );
+    draw(&Figure::new(&title.replace('_', "_\u{200b}"), &[&caption], vec![panel]), &csv)
 }
 
 /// Sentences below the picture of a surface.
@@ -230,6 +263,21 @@ mod tests {
         glance.spectra = Some(spectra);
         let svg = draw_surface(&surface, &glance, None).unwrap();
         assert!(svg.contains("power law, H = 0.80") && svg.contains(">15.7 µm<"));
+    }
+
+    #[test]
+    fn the_material_ratio_curve_has_its_secant_and_its_marks() {
+        let curve = surface().material_ratio().unwrap();
+        for (is_profile, names) in
+            [(false, ["Smr1", "Smr2", "Sk ="]), (true, ["Rmr1", "Rmr2", "Rk ="])]
+        {
+            let svg = draw_material_ratio(&curve, is_profile, "a_1 scan").unwrap();
+            assert!(names.iter().all(|name| svg.contains(name)), "{svg}");
+            assert!(
+                svg.contains("material ratio (%)") && svg.contains("height above the mean (µm)")
+            );
+            assert!(svg.contains("secant of least slope over 40 %") && !svg.contains("NaN"));
+        }
     }
 
     #[test]

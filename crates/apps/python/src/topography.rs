@@ -250,10 +250,11 @@ impl Topography {
     }
 
     /// What decides trust, and parameters of ISO 25178-2, in SI units, as the program's ``surface
-    /// --format json``: form removed, lay and ratio of slopes, long waves on the shorter side,
-    /// moments over those at half the resolution, Sa to Spc, and the power law of the radial
-    /// spectrum. After levelling and, with cut-offs [m], Gaussian filters (``smooth`` short,
-    /// ``cutoff`` long).
+    /// --format json`` and ``--report``: form removed, lay and ratio of slopes, long waves on the
+    /// shorter side, moments over those at half the resolution, Sa to Spc, the power law of the
+    /// radial spectrum, and functional parameters (Sk to Vvv; of a profile Rk to Rmr2, Rz, RSm and
+    /// Rdq). After levelling and, with cut-offs [m], Gaussian filters (``smooth`` short, ``cutoff``
+    /// long).
     #[pyo3(signature = (level=None, smooth=None, cutoff=None))]
     fn report<'py>(
         &self,
@@ -262,7 +263,12 @@ impl Topography {
         smooth: Option<f64>,
         cutoff: Option<f64>,
     ) -> PyResult<Object<'py>> {
-        object(py, &self.glance(py, level, [smooth, cutoff])?.1)
+        let (surface, glance) = self.glance(py, level, [smooth, cutoff])?;
+        let numbers = object(py, &glance)?;
+        for found in py.detach(|| surface.functional()).map_err(value_error)? {
+            numbers.set_item(found.name, found.value)?;
+        }
+        Ok(numbers)
     }
 
     /// A picture of the surface, an ``asperity.Picture``, shown by notebooks: its map, the density
