@@ -4,7 +4,7 @@ use super::header::is_known;
 use super::lines::{COMMENT, Delimiter, text, value};
 use super::scan::ReadOptions;
 use super::words::meanings;
-use crate::error::{at_most, refuse, refuse_line};
+use crate::error::{at_most, excerpt, refuse, refuse_line, undecided};
 use crate::{MAX_POINTS, TopographyError};
 
 /// Header lines, and rows of numbers; NaN for missing values.
@@ -76,6 +76,9 @@ pub(super) fn blocks(bytes: &[u8], options: &ReadOptions) -> Result<Vec<Block>, 
                 }
             },
             None if detect(line).is_row(line) => {
+                if options.delimiter.is_none() && Delimiter::has_two_commas(line) {
+                    return Err(two_commas(number, line));
+                }
                 let mut block = Block::new(line, detect(line), bytes.len());
                 (block.header, block.line) = (std::mem::take(&mut header), number);
                 block.add(number, line, false)?;
@@ -104,6 +107,12 @@ pub(super) fn blocks(bytes: &[u8], options: &ReadOptions) -> Result<Vec<Block>, 
     }
     last.header.append(&mut header);
     Ok(blocks)
+}
+
+/// A line with commas within and between its numbers.
+fn two_commas(number: usize, line: &[u8]) -> TopographyError {
+    let choices = "\",\" if commas only separate numbers, \" \" if they are decimal marks as well";
+    undecided(format!("line {number}"), excerpt(&text(line)), "delimiter", choices)
 }
 
 impl Block {
@@ -155,8 +164,10 @@ impl Block {
         let (found, required) = (self.values.len() - start, self.columns);
         if found != required && self.ragged.is_none() {
             let required = format!("a row of {required}, as the first,");
-            let row = format!("a row of {found}");
-            self.ragged = Some(refuse(format!("line {number}"), row, required));
+            self.ragged = Some(match Delimiter::has_two_commas(line) && !comma {
+                true => two_commas(number, line),
+                false => refuse(format!("line {number}"), format!("a row of {found}"), required),
+            });
         }
         if blank {
             self.gaps.push((start / self.columns, number));

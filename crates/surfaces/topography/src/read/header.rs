@@ -2,12 +2,13 @@
 
 use std::collections::HashMap;
 
+use asperity_core::{Code, Finding};
 use serde::Serialize;
 
 use super::lines::{COMMENT, Delimiter};
 use super::scan::{ReadOptions, agree};
 use super::words::{meanings, named, number, quantities, unit_meaning};
-use crate::error::{refuse, refuse_line, undecided};
+use crate::error::{excerpt, refuse, refuse_line, undecided};
 use crate::{Distance, LengthUnit, MAX_POINTS, TopographyError};
 
 /// A line of the header of a text file.
@@ -180,8 +181,16 @@ impl Header {
         self.find(["unit"]).map(unit).transpose()
     }
 
-    /// The factor of the heights, which leads to their unit; `unit` tells whether that is known.
-    pub(super) fn factor(&self, unit: bool) -> Result<Option<f64>, TopographyError> {
+    /// The factor of the heights, which leads to their unit, with a note of it; `unit` tells whether
+    /// that is known.
+    pub(super) fn factor(&self, unit: bool) -> Result<Option<(f64, Finding)>, TopographyError> {
+        let note = |factor: f64, Entry { line, text, .. }: &Entry| {
+            let fact = format!(
+                "the heights are multiplied by {factor:?}, by line {line}: {:?}",
+                excerpt(text)
+            );
+            (factor, Finding::note(Code::Factor, "factor", factor).fact(fact))
+        };
         // Nova writes `No` where heights are in their unit, Wyko 1 as the second of three flags.
         let scaled = |entry: &Entry| {
             entry.words.eq_ignore_ascii_case("no") || entry.numbers.get(1) == Some(&1.0)
@@ -193,11 +202,12 @@ impl Header {
         if let (Some(wavelength), Some(divisor)) =
             (self.find(["wavelength"]), self.find(["divisor"]))
         {
-            return Ok(Some(wavelength.positive(9, required)? / divisor.positive(9, required)?));
+            let factor = wavelength.positive(9, required)? / divisor.positive(9, required)?;
+            return Ok(Some(note(factor, wavelength)));
         }
         let Some(entry) = self.find(["factor"]) else { return Ok(None) };
         let factor = entry.numbers.last().copied().filter(|factor| unit && factor.is_finite());
-        factor.map(Some).ok_or_else(|| entry.wrong(required))
+        factor.map(|factor| Some(note(factor, entry))).ok_or_else(|| entry.wrong(required))
     }
 
     /// The numbers that mark missing points.

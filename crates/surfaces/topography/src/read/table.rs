@@ -62,7 +62,10 @@ pub(super) fn scan(
         None => header.unit()?,
         unit => unit,
     };
-    scan.factor = header.factor(scan.unit.or(options.height_unit()).is_some())?;
+    if let Some((factor, note)) = header.factor(scan.unit.or(options.height_unit()).is_some())? {
+        scan.factor = Some(factor);
+        scan.notes.extend(Some(note).filter(|_| factor.total_cmp(&1.0).is_ne()));
+    }
     Ok(scan)
 }
 
