@@ -99,7 +99,6 @@ struct Line {
     /// Transform of the weight over the length; real, as the weight is even.
     spectrum: Vec<f64>,
     buffer: Vec<Complex64>,
-    scratch: Vec<Complex64>,
 }
 
 impl Line {
@@ -121,11 +120,9 @@ impl Line {
                 }
             }
         }
-        let longest = forward.get_inplace_scratch_len().max(inverse.get_inplace_scratch_len());
-        let mut scratch = vec![Complex64::default(); longest];
-        forward.process_with_scratch(&mut weights, &mut scratch);
+        forward.process(&mut weights);
         let spectrum = weights.iter().map(|weight| weight.re).collect();
-        Self { forward, inverse, spectrum, buffer: vec![Complex64::default(); length], scratch }
+        Self { forward, inverse, spectrum, buffer: vec![Complex64::default(); length] }
     }
 
     /// Sums over the line, not yet divided by the sum of the weights: the quotient of the two
@@ -134,11 +131,11 @@ impl Line {
         let (points, zeros) = self.buffer.split_at_mut(line.len());
         points.copy_from_slice(line);
         zeros.fill(Complex64::default());
-        self.forward.process_with_scratch(&mut self.buffer, &mut self.scratch);
+        self.forward.process(&mut self.buffer);
         for (value, weight) in self.buffer.iter_mut().zip(&self.spectrum) {
             *value *= weight;
         }
-        self.inverse.process_with_scratch(&mut self.buffer, &mut self.scratch);
+        self.inverse.process(&mut self.buffer);
         line.copy_from_slice(&self.buffer[..line.len()]);
     }
 }

@@ -74,22 +74,21 @@ impl Topography {
         let [dx, dy] = self.pixel_size();
         let mean = whole.mean();
         let [along, down] = [columns, rows].map(|n| self.window(n));
-        let lines = |count: usize, n: usize, window: &[f64], at: &dyn Fn(usize, usize) -> f64| {
-            let plan = asperity_fft::forward(n);
-            let mut power = vec![0.0; n / 2 + 1];
-            let mut line = vec![Complex64::ZERO; n];
-            for k in 0..count {
-                for (i, point) in line.iter_mut().enumerate() {
-                    *point = Complex64::from(window[i] * (at(k, i) - mean));
-                }
+        let lines = |heights: &[f64], window: &[f64]| {
+            let n = window.len();
+            let (plan, mut power) = (asperity_fft::forward(n), vec![0.0; n / 2 + 1]);
+            for line in heights.chunks(n) {
+                let windowed =
+                    line.iter().zip(window).map(|(z, w)| Complex64::from(w * (z - mean)));
+                let mut line: Vec<_> = windowed.collect();
                 plan.process(&mut line);
                 power.iter_mut().zip(&line).for_each(|(sum, wave)| *sum += wave.norm_sqr());
             }
-            power.iter_mut().for_each(|sum| *sum /= count as f64);
+            power.iter_mut().for_each(|sum| *sum /= (heights.len() / n) as f64);
             power
         };
         let heights = whole.heights();
-        let rows_power = lines(rows, columns, &along, &|k, i| heights[k * columns + i]);
+        let rows_power = lines(heights, &along);
         let along_rows = profile(&rows_power, columns, dx);
         if along_rows.density.is_empty() {
             return Err(TopographyError::Flat { points: self.measured() });
@@ -100,7 +99,7 @@ impl Topography {
             let (radial, along_columns) = (None, None);
             return Ok(Spectra { radial, along_rows, along_columns, median_wavelength });
         }
-        let columns_power = lines(columns, rows, &down, &|k, i| heights[i * columns + k]);
+        let columns_power = lines(&transposed(heights, columns), &down);
         let along_columns = Some(profile(&columns_power, rows, dy));
         let point = |(k, h): (usize, &f64)| {
             Complex64::from(along[k % columns] * down[k / columns] * (h - mean))

@@ -8,7 +8,6 @@ use crate::TopographyError;
 pub(super) enum Format {
     Gwy,
     Npy,
-    Npz,
     Sdf,
     Sur,
     Text,
@@ -32,6 +31,7 @@ fn formats() -> impl Iterator<Item = Foreign> {
         let [kind, mark, name, converter] = cells[..] else { return None };
         let advice = match converter {
             "SurfaceTopography" => SURFACE_TOPOGRAPHY,
+            "numpy" => "; numpy.save(\"scan.npy\", numpy.load(\"FILE\")[name]) writes one of them",
             "Gwyddion" => "; Gwyddion reads it and saves it as .gwy",
             _ => "",
         };
@@ -73,7 +73,6 @@ impl Format {
             return Err(TopographyError::Format { found, advice });
         }
         match extension {
-            "npz" => Ok(Self::Npz),
             _ if bytes.starts_with(x3p::MAGIC) => Ok(Self::X3p),
             "gwy" => Ok(Self::Gwy),
             "npy" => Ok(Self::Npy),

@@ -101,11 +101,7 @@ impl<'a> Field<'a> {
         note: Option<Finding>,
     ) -> Result<Scan, TopographyError> {
         let [columns, rows] = self.resolution;
-        let count = |n: i32, field| {
-            let positive = u64::try_from(n).ok().filter(|n| *n > 0);
-            positive.ok_or_else(|| refuse(field, n, "at least 1"))
-        };
-        let n = points(count(columns, "gwy xres")?, count(rows, "gwy yres")?)?;
+        let n = points(positive("gwy xres", columns)? as u64, positive("gwy yres", rows)? as u64)?;
         let mut heights = self.numbers(n)?;
         let scale = self.units[0].parse().ok().map(LengthUnit::metres);
         let wrong = || refuse("gwy si_unit_xy", format!("{:?}", self.units[0]), "a unit of length");

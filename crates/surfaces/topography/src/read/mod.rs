@@ -112,7 +112,6 @@ fn scan(
         Format::Gwy => return gwy::scan(&bytes, channel),
         Format::Sur => return sur::scan(&bytes, channel),
         Format::Npy => npy::scan(&bytes),
-        Format::Npz => Err(npy::archive(&bytes)),
         Format::X3p => x3p::scan(&bytes),
         Format::Sdf => sdf::scan(&bytes),
         Format::Text => return text::scan(&bytes, options),
@@ -168,36 +167,5 @@ fn unpack(packed: &[u8]) -> Result<Vec<u8>, TopographyError> {
     match bytes.starts_with(GZIP) {
         true => Err(refuse("gzip content", "another gzip file", "a scan; unpack the file once")),
         false => Ok(bytes),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::io::Write;
-
-    use flate2::Compression;
-    use flate2::write::GzEncoder;
-
-    use super::*;
-
-    fn packed(bytes: &[u8]) -> Vec<u8> {
-        let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
-        encoder.write_all(bytes).unwrap();
-        encoder.finish().unwrap()
-    }
-
-    #[test]
-    fn a_file_is_unpacked_once_and_within_limits() {
-        let text = b"1 2 3 4\n5 6 7 8\n";
-        assert_eq!(unpack(&packed(text)).unwrap(), text);
-        // Several members, as `cat a.gz b.gz` writes them.
-        assert_eq!(unpack(&[packed(b"1 2\n"), packed(b"3 4\n")].concat()).unwrap(), b"1 2\n3 4\n");
-        let message = |bytes: &[u8]| unpack(bytes).unwrap_err().to_string();
-        assert!(message(&packed(&packed(text))).contains("another gzip file"));
-        assert!(message(&packed(&vec![0; 4 << 20])).contains("at most 1048576 bytes"));
-        let whole = packed(text);
-        for length in GZIP.len()..whole.len() {
-            assert!(message(&whole[..length]).contains("gzip"), "{length}");
-        }
     }
 }

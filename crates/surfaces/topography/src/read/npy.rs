@@ -3,10 +3,6 @@
 //! The header is parsed here because crates for it multiply declared shapes and allocate before
 //! checking against the file, and accept nested brackets of any depth.
 
-use std::io::Cursor;
-
-use zip::ZipArchive;
-
 use super::sample::{Bytes, Sample};
 use super::scan::{Scan, points};
 use crate::TopographyError;
@@ -40,16 +36,6 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
         heights = transposed(&heights, rows);
     }
     Ok(Scan { heights, columns, ..Scan::default() })
-}
-
-/// The error for an `.npz`, an archive of several arrays.
-pub(super) fn archive(bytes: &[u8]) -> TopographyError {
-    let archive = ZipArchive::new(Cursor::new(bytes)).ok();
-    let names =
-        archive.map(|archive| archive.file_names().flatten().collect::<Vec<_>>().join(", "));
-    let found = format!("an archive of arrays ({})", names.unwrap_or_else(|| "broken".into()));
-    let required = "a single array: numpy.save(\"scan.npy\", numpy.load(\"scan.npz\")[name])";
-    refuse("npz file", found, required)
 }
 
 /// Header text and data.

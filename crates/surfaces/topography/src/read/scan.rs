@@ -311,24 +311,6 @@ mod tests {
         Scan { heights, columns: 2, unit, pixel_size, ..Scan::default() }
     }
 
-    fn message(scan: Scan, options: &ReadOptions) -> String {
-        scan.topography(options).unwrap_err().to_string()
-    }
-
-    #[test]
-    fn missing_units_and_pixel_sizes_are_requested() {
-        let options = ReadOptions { max_missing: Some(0.5), ..ReadOptions::default() };
-        let unit = "nm".parse::<LengthUnit>().ok();
-        assert!(message(scan(None, None), &options).contains("give unit"));
-        assert!(message(scan(unit, None), &options).contains("give pixel_size"));
-        // The pixel size given is in the unit of the heights.
-        let options = ReadOptions { pixel_size: Some([2.0, 3.0].map(Distance::from)), ..options };
-        let surface = scan(unit, None).topography(&options).unwrap();
-        assert!((surface.pixel_size()[1] / 3e-9 - 1.0).abs() < 1e-15);
-        assert!((surface.heights()[3] / 4e-9 - 1.0).abs() < 1e-15);
-        assert!(surface.heights()[2].is_nan());
-    }
-
     #[test]
     fn options_that_contradict_the_file_are_refused() {
         let options = ReadOptions {

@@ -88,8 +88,8 @@ impl<'a> Object<'a> {
             32 => Sample::new(*b"i4"),
             other => return Err(refuse("sur bits of a point", other, "16 or 32")),
         };
-        let columns = header.count(108, "number of columns")?;
-        let rows = header.count(112, "number of rows")?;
+        let columns = positive("sur number of columns", header.i32(108))? as u64;
+        let rows = positive("sur number of rows", header.i32(112))? as u64;
         let points = points(columns, rows)?;
         let size = if packed { header.i32(324) as u32 as usize } else { points * sample.size };
         let before = usize::from(header.u16(334)) + usize::from(header.u16(336));
@@ -159,28 +159,20 @@ impl<'a> Object<'a> {
 struct Header<'a>(&'a [u8; HEADER]);
 
 impl Header<'_> {
-    fn bytes<const N: usize>(&self, at: usize) -> [u8; N] {
-        std::array::from_fn(|i| self.0[at + i])
+    fn number(&self, at: usize, name: [u8; 2]) -> f64 {
+        Bytes(&self.0[at..]).number(name).unwrap_or_default()
     }
 
     fn u16(&self, at: usize) -> u16 {
-        u16::from_le_bytes(self.bytes(at))
+        self.number(at, *b"u2") as u16
     }
 
     fn i32(&self, at: usize) -> i32 {
-        i32::from_le_bytes(self.bytes(at))
-    }
-
-    fn count(&self, at: usize, field: &'static str) -> Result<u64, TopographyError> {
-        let found = self.i32(at);
-        u64::try_from(found)
-            .ok()
-            .filter(|n| *n > 0)
-            .ok_or_else(|| refuse(format!("sur {field}"), found, "at least 1"))
+        self.number(at, *b"i4") as i32
     }
 
     fn f32(&self, at: usize, field: &'static str) -> Result<f64, TopographyError> {
-        positive(format!("sur {field}"), f32::from_le_bytes(self.bytes(at)))
+        positive(format!("sur {field}"), self.number(at, *b"f4"))
     }
 
     /// Text of a fixed length, in UTF-8 or Latin 1, filled up with zeros or spaces.
