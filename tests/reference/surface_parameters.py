@@ -1,12 +1,13 @@
-"""Parameters of two open surfaces by surfalize, and spectra of a periodic one by SurfaceTopography.
+"""Parameters of two open surfaces and a profile by surfalize, and spectra of a periodic one by SurfaceTopography.
 
     pip install surfalize SurfaceTopography; python surface_parameters.py > surface_parameters.csv
 
 Made with surfalize 0.19.2 and SurfaceTopography 1.27.1. Heights in um at (x, y) points; lengths in
 um. The curve of material ratios has a class for each point; its areas end at the class nearest to
 the limit of the core, so that those of asperity, which end at the limit, differ by parts of a
-point's share; they are computed by NumPy (names in lower case). Sal and Str of surfalize follow a cubic spline along rays, those of asperity the contour between
-neighbouring lags: they agree to parts of a point.
+point's share; they are computed by NumPy (names in lower case). Sal and Str of surfalize follow a
+cubic spline along rays, those of asperity the contour between neighbouring lags: they agree to
+parts of a point.
 """
 
 import sys
@@ -72,6 +73,17 @@ for case, stretch in [("broad", 1.0), ("lay", 0.3)]:
     out.append(f"{case},vmc,,{float(area(0, 0.8, z80) - vmp)!r}")
     out.append(f"{case},vvc,,{float(-area(0.1, 1, z10) - vvv)!r}")
     out.append(f"{case},vvv,,{float(vvv)!r}")
+row = heights(1.0)[0]
+profile = surfalize.Profile(row - row.mean(), STEP_X)
+curve = AbbottFirestoneCurve(profile, nbins=row.size)
+for name, value in [
+    ("rk", curve.k()),
+    ("rmr1", curve.mr1() / 100),
+    ("rmr2", curve.mr2() / 100),
+    ("rz", profile.Rz()),
+    ("rdq", profile.Rdq()),
+]:
+    out.append(f"profile,{name},,{float(value)!r}")
 topography = st.Topography(
     periodic().T, (COLUMNS * STEP_X, ROWS * STEP_Y), periodic=True, unit="um"
 )

@@ -71,6 +71,18 @@ impl<'t> Cells<'t> {
         }
     }
 
+    /// The units below the names, if the first row has some and no numbers; they leave the rows.
+    pub(crate) fn units(&mut self, is_unit: fn(&str) -> bool) -> Vec<&'t str> {
+        let is_row = |row: &[&str]| {
+            row.iter().any(|cell| is_unit(cell))
+                && row.iter().all(|cell| self.number(cell).is_none())
+        };
+        match &self.rows[..] {
+            [(_, row), _, ..] if is_row(row) => self.rows.remove(0).1,
+            _ => vec![],
+        }
+    }
+
     /// The place of a cell.
     pub(crate) fn place(&self, line: usize, field: &str) -> Box<Place> {
         let (file, field) = (Some(self.path.to_path_buf()), field.into());

@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
-use asperity::fit::{DataColumn, MeasuredTable, is_column};
+use asperity::fit::{DataColumn, MeasuredTable, is_column, is_unit};
 
 use crate::cells::Cells;
 use crate::error::{Place, SceneError};
 use crate::text_file::{SAVE_AS_CSV, read_text};
 
-/// The columns of a csv of numbers with a header; cells may be empty, and lines that begin with #
+/// The columns of a csv of numbers with a header, whose names may have units behind them or below
+/// (`Load [kN]`); cells may be empty, and lines that begin with #
 /// are skipped. Where semicolons or tabs separate the cells of the header, numbers may have decimal
 /// commas. The columns `model` and `separation_over_sigma` of `asperity curve` are left out.
 ///
@@ -23,10 +24,13 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
         return Err(SceneError::Refused { at: place("CSV").into(), reason: reason.into() });
     }
     let needed = "a header, for example load_N,unloading_stiffness_N_per_m";
-    let table = Cells::read(&text, path, needed)?;
+    let mut table = Cells::read(&text, path, needed)?;
+    let units = table.units(is_unit);
     let mut columns: Vec<DataColumn> = vec![];
     for (k, name) in table.head.iter().enumerate() {
-        if *name == "model" {
+        let unit = units.get(k).map_or("", |unit| unit.trim_matches(['[', ']', '(', ')', '-']));
+        let name = if unit.is_empty() { (*name).into() } else { format!("{name} [{unit}]") };
+        if name == "model" {
             let mut models: Vec<&str> = vec![];
             for (_, row) in table.rows.iter().filter(|(_, row)| !row[k].is_empty()) {
                 models.extend(Some(row[k]).filter(|model| !models.contains(model)));
@@ -38,8 +42,8 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
             }
         } else {
             let odd = "is no number, and no fit reads this column; remove it";
-            let numbers = table.column(k, Some(odd).filter(|_| !is_column(name)))?;
-            columns.push(((*name).into(), numbers));
+            let numbers = table.column(k, Some(odd).filter(|_| !is_column(&name)))?;
+            columns.push((name, numbers));
         }
     }
     columns.retain(|(name, _)| name != "separation_over_sigma");
@@ -66,6 +70,15 @@ mod tests {
         let columns = read(text).unwrap();
         let wanted = [("load_N", [Some(1.0), Some(3.0)]), ("area_m2", [Some(2e-9), None])];
         assert_eq!(columns, wanted.map(|(name, values)| (name.to_string(), values.to_vec())));
+    }
+
+    #[test]
+    fn units_may_stand_below_the_names() {
+        let columns = read("Load;A;area_fraction\n[kN];mm2;[-]\n1,5;2;0,1\n").unwrap();
+        let names: Vec<_> = columns.iter().map(|(name, _)| &**name).collect();
+        assert_eq!((names, columns[0].1.len()), (vec!["Load [kN]", "A [mm2]", "area_fraction"], 1));
+        // A row of other words is none of units.
+        assert!(read("load_N,area_m2\nN.,wide\n1,2\n").is_err());
     }
 
     #[test]

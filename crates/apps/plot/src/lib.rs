@@ -55,7 +55,7 @@ pub use looks::{MEASURED, look_of};
 pub use map::{Map, draw_map, map_png};
 pub use matrix::{Matrix, MatrixCell, draw_matrix};
 #[cfg(feature = "scan")]
-pub use scan::draw_surface;
+pub use scan::{caption_of_surface, draw_material_ratio, draw_surface};
 pub use style::Curve;
 pub use text::{PREFIXES, legible, number, power_of_ten};
 

@@ -1,8 +1,9 @@
 //! The report of a measured surface: its map, and its curves.
 
-use asperity_topography::{Glance, Topography};
+use asperity_topography::{Functional, Glance, MaterialRatio, Parameters, Topography};
 
 use crate::canvas::{Type, picture};
+use crate::draw;
 use crate::error::PlotError;
 use crate::figure::{Axis, Figure, Mark, Panel};
 use crate::layout::Layout;
@@ -22,7 +23,7 @@ const SPREAD: f64 = 4.0;
 
 /// Draws a levelled and filtered surface with its report: its map, the density of its heights,
 /// spectra, slope and curvature against scale; returns the text of an svg. With a title, it has a
-/// [caption](Topography::caption) as well; without one, the page around it has.
+/// [caption](caption_of_surface) as well; without one, the page around it has.
 ///
 /// # Errors
 /// The errors of [`draw`](crate::draw) and [`draw_map`](crate::draw_map).
@@ -62,7 +63,7 @@ pub fn draw_surface(
     if let Some(title) = title {
         // Underscores of file names lower no letters.
         figure.title = title.replace('_', "_\u{200b}");
-        figure.caption = surface.caption(glance);
+        figure.caption = caption_of_surface(surface, glance);
     }
     if low > lowest || high < highest {
         let text =
@@ -83,6 +84,72 @@ pub fn draw_surface(
         }
         each.try_for_each(|(plot, frame)| plot.draw(canvas, frame))
     })
+}
+
+/// Draws the material ratio curve of a surface from its csv, with the secant of least slope, the
+/// line of the core and its ends; of a profile with the names of profiles.
+///
+/// # Errors
+/// The errors of [`draw`](crate::draw).
+pub fn draw_material_ratio(
+    curve: &MaterialRatio,
+    is_profile: bool,
+    title: &str,
+) -> Result<String, PlotError> {
+    let csv = curve.csv();
+    let Functional { sk, spk, svk, smr1, smr2, .. } = curve.functional();
+    let (height, of_height) = legible(curve.height(0.0) - curve.height(1.0), "m");
+    let x = Axis::new("material_ratio", "material ratio (%)").times(100.0).range(0.0, 1.0);
+    let y = Axis::new("height_m", &format!("height above the mean ({of_height})"));
+    let mut panel = Panel::new(x, y.times(1.0 / height));
+    let secant =
+        Curve { every_point: true, ..Curve::new(1, "secant", "secant of least slope over 40 %") };
+    let core = Curve::new(2, "core", "line of the core");
+    panel.curves = vec![Curve::new(0, "curve", "material ratio curve"), secant, core];
+    let letter = if is_profile { "R" } else { "S" };
+    let mark = |name: &str, share: f64| {
+        Mark::new(share, &format!("{letter}{name} {:.1} %", 100.0 * share))
+    };
+    panel.verticals = vec![mark("mr1", smr1), mark("mr2", smr2)];
+    let [sk, spk, svk] = [sk, spk, svk].map(said);
+    let caption = format!(
+        "{letter}k = {sk}, {letter}pk = {spk}, {letter}vk = {svk}. The line of the core is fitted by least squares to the points under the secant; the curve has its heights at 0 and 100 % at {letter}mr1 and {letter}mr2."
+    );
+    draw(&Figure::new(&title.replace('_', "_\u{200b}"), &[&caption], vec![panel]), &csv)
+}
+
+/// Sentences below the picture of a surface.
+#[must_use]
+pub fn caption_of_surface(surface: &Topography, glance: &Glance) -> Vec<String> {
+    let Parameters { sq, ssk, sku, .. } = glance.parameters;
+    let [dx, dy] = surface.pixel_size().map(said);
+    let (columns, rows) = (surface.columns(), surface.rows());
+    let missing = 100.0 * surface.missing_share();
+    let (filter, sq) = (&glance.filter, said(sq));
+    let mut first = format!(
+        "{columns} x {rows} points, {dx} x {dy} apart; {filter}; {missing:.2} % missing. Sq = {sq}, Ssk = {ssk:.2}, Sku = {sku:.2}."
+    );
+    if let Some((ratio, lay)) = glance.texture.and_then(|lay| Some((lay.ratio()?, lay.direction))) {
+        first += &format!(
+            " Rms slope across the lay over that along it: {ratio:.2}; lay at {lay:.0}° from the rows."
+        );
+    }
+    let law = match &glance.power_law {
+        Ok(law) if law.roll_off.or(law.cut_off).is_some() => Some(
+            "Dashed in the radial spectrum: the wavelengths between which the power law holds."
+                .into(),
+        ),
+        Err(reason) if !surface.is_profile() => Some(format!("No power law is drawn: {reason}.")),
+        _ => None,
+    };
+    std::iter::once(first).chain(law).collect()
+}
+
+/// A length with three digits.
+fn said(length: f64) -> String {
+    let (of, name) = legible(length, "m");
+    let digits = format!("{:.2e}", length / of).parse().map_or(String::new(), number);
+    format!("{digits} {name}")
 }
 
 /// The panels of the csv, after one that keeps the place of the map.
@@ -131,12 +198,7 @@ fn figure(glance: &Glance, csv: &str, height: f64, of_height: &str) -> Figure {
             }
         }
         if let ("radial", Some(law)) = (key, law) {
-            let mark = |length: f64| {
-                let (of, name) = legible(length, "m");
-                // Three digits.
-                let text = format!("{:.2e}", length / of).parse().map_or(String::new(), number);
-                Mark::new(std::f64::consts::TAU / length, &format!("{text} {name}"))
-            };
+            let mark = |length: f64| Mark::new(std::f64::consts::TAU / length, &said(length));
             panel.verticals = law.roll_off.into_iter().chain(law.cut_off).map(mark).collect();
         }
         figure.panels.push(panel);
@@ -201,6 +263,21 @@ mod tests {
         glance.spectra = Some(spectra);
         let svg = draw_surface(&surface, &glance, None).unwrap();
         assert!(svg.contains("power law, H = 0.80") && svg.contains(">15.7 µm<"));
+    }
+
+    #[test]
+    fn the_material_ratio_curve_has_its_secant_and_its_marks() {
+        let curve = surface().material_ratio().unwrap();
+        for (is_profile, names) in
+            [(false, ["Smr1", "Smr2", "Sk ="]), (true, ["Rmr1", "Rmr2", "Rk ="])]
+        {
+            let svg = draw_material_ratio(&curve, is_profile, "a_1 scan").unwrap();
+            assert!(names.iter().all(|name| svg.contains(name)), "{svg}");
+            assert!(
+                svg.contains("material ratio (%)") && svg.contains("height above the mean (µm)")
+            );
+            assert!(svg.contains("secant of least slope over 40 %") && !svg.contains("NaN"));
+        }
     }
 
     #[test]

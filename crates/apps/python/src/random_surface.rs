@@ -50,7 +50,7 @@ pub(crate) fn random_surface(
         return Err(PyTypeError::new_err("exactly one of sq and gradient was required"));
     }
     let roll_off = roll_off.unwrap_or(long);
-    let [dx, dy] = pixel_size.in_unit(LengthUnit::Metre);
+    let [dx, dy] = pixel_size.in_unit(LengthUnit::METRE);
     let (rows, columns) = shape;
     let made = || {
         let size = [columns as f64 * dx, rows as f64 * dy];

@@ -79,7 +79,7 @@ impl Topography {
         let options = ReadOptions {
             unit,
             pixel_size,
-            max_missing,
+            max_missing: Some(max_missing),
             channel,
             units,
             columns,
@@ -195,7 +195,8 @@ impl Topography {
         &self,
         py: Python<'py>,
     ) -> PyResult<(Bound<'py, PyTuple>, Bound<'py, PyTuple>)> {
-        let found = py.detach(|| self.0.height_density()).map_err(value_error)?;
+        let density = || self.0.summits()?.height_density();
+        let found = py.detach(density).map_err(value_error)?;
         Ok((PyTuple::new(py, found.heights_m)?, PyTuple::new(py, found.density_per_m)?))
     }
 
@@ -249,10 +250,11 @@ impl Topography {
     }
 
     /// What decides trust, and parameters of ISO 25178-2, in SI units, as the program's ``surface
-    /// --format json``: form removed, lay and ratio of slopes, long waves on the shorter side,
-    /// moments over those at half the resolution, Sa to Spc, and the power law of the radial
-    /// spectrum. After levelling and, with cut-offs [m], Gaussian filters (``smooth`` short,
-    /// ``cutoff`` long).
+    /// --format json`` and ``--report``: form removed, lay and ratio of slopes, long waves on the
+    /// shorter side, moments over those at half the resolution, Sa to Spc, the power law of the
+    /// radial spectrum, and functional parameters (Sk to Vvv; of a profile Rk to Rmr2, Rz, RSm and
+    /// Rdq). After levelling and, with cut-offs [m], Gaussian filters (``smooth`` short, ``cutoff``
+    /// long).
     #[pyo3(signature = (level=None, smooth=None, cutoff=None))]
     fn report<'py>(
         &self,
@@ -261,7 +263,12 @@ impl Topography {
         smooth: Option<f64>,
         cutoff: Option<f64>,
     ) -> PyResult<Object<'py>> {
-        object(py, &self.glance(py, level, [smooth, cutoff])?.1)
+        let (surface, glance) = self.glance(py, level, [smooth, cutoff])?;
+        let numbers = object(py, &glance)?;
+        for found in py.detach(|| surface.functional()).map_err(value_error)? {
+            numbers.set_item(found.name, found.value)?;
+        }
+        Ok(numbers)
     }
 
     /// A picture of the surface, an ``asperity.Picture``, shown by notebooks: its map, the density

@@ -1,6 +1,6 @@
 //! The scan of a scene: its picture, its statistics, and its slopes at several distances.
 
-use asperity_plot::draw_surface;
+use asperity_plot::{caption_of_surface, draw_surface};
 use asperity_scene::SceneFile;
 use asperity_topography::{AtDistance, Glance, Level, Reported, Topography};
 use serde::{Deserialize, Serialize};
@@ -53,7 +53,7 @@ pub(crate) fn report(heights: Vec<f64>, shape: Shape) -> Result<Value, Refusal> 
     let rows: Vec<_> = scan.scale_dependence().iter().map(row).collect();
     Ok(json!({
         "svg": draw_surface(&scan, &glance, None)?,
-        "caption": scan.caption(&glance),
+        "caption": caption_of_surface(&scan, &glance),
         "scales": { "head": SCALES, "rows": rows },
     }))
 }

@@ -12,7 +12,7 @@ pub const UNITS: [Units; 16] = [
         &[("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0), ("bar", 5), ("N/mm2", 6), ("N/m2", 0)],
     ),
     ("Pa s", "1 mPa s", &[("Pas", 0), ("mPas", -3), ("uPas", -6), ("cP", -3)]),
-    ("m", "0.2 mm", &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("nm", -9)]),
+    ("m", "0.2 mm", &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("nm", -9), ("pm", -12)]),
     ("m^2", "100 mm2", &[("m2", 0), ("cm2", -4), ("mm2", -6), ("um2", -12), ("nm2", -18)]),
     ("N", "2 kN", &[("N", 0), ("kN", 3), ("MN", 6), ("mN", -3), ("uN", -6)]),
     ("J/m^2", "50 mJ/m2", &[("J/m2", 0), ("mJ/m2", -3), ("N/m", 0), ("mN/m", -3)]),
@@ -87,7 +87,7 @@ const KSI: f64 = 1e-3 * LBF / (0.0254 * 0.0254);
 
 /// Units that are not decimal, or rare: their SI unit, their name, and their size in one of
 /// [`UNITS`].
-pub const OTHER_UNITS: [(&str, &str, f64, &str); 22] = [
+pub const OTHER_UNITS: [(&str, &str, f64, &str); 23] = [
     ("Pa", "kN/mm2", 1.0, "GPa"),
     ("Pa", "kN/cm2", 10.0, "MPa"),
     ("Pa", "kN/m2", 1.0, "kPa"),
@@ -107,8 +107,9 @@ pub const OTHER_UNITS: [(&str, &str, f64, &str); 22] = [
     ("m", "in", 25.4, "mm"),
     ("m", "micron", 1.0, "um"),
     ("m", "microns", 1.0, "um"),
-    ("m", "\u{c5}", 0.1, "nm"),
-    ("m", "\u{212b}", 0.1, "nm"),
+    ("m", "angstrom", 100.0, "pm"),
+    ("m", "\u{c5}", 100.0, "pm"),
+    ("m", "\u{212b}", 100.0, "pm"),
     ("m^2", "in2", 645.16, "mm2"),
 ];
 

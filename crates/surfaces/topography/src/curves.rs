@@ -77,43 +77,6 @@ impl Topography {
         csv
     }
 
-    /// Sentences below the picture.
-    #[must_use]
-    pub fn caption(&self, glance: &Glance) -> Vec<String> {
-        let Parameters { sq, ssk, sku, .. } = glance.parameters;
-        let [dx, dy] = self.pixel_size();
-        let mut first = format!(
-            "{} x {} points, {} x {} apart; {}; {:.2} % missing. Sq = {}, Ssk = {:.2}, Sku = {:.2}.",
-            self.columns(),
-            self.rows(),
-            length(dx),
-            length(dy),
-            glance.filter,
-            100.0 * self.missing_share(),
-            length(sq),
-            ssk,
-            sku,
-        );
-        let lay = glance.texture.and_then(|lay| Some((lay.ratio()?, lay.direction)));
-        if let Some((ratio, direction)) = lay {
-            first += &format!(
-                " Rms slope across the lay over that along it: {ratio:.2}; lay at {direction:.0}° from the rows."
-            );
-        }
-        let mut all = vec![first];
-        match &glance.power_law {
-            Ok(law) if law.roll_off.or(law.cut_off).is_some() => all.push(
-                "Dashed in the radial spectrum: the wavelengths between which the power law holds."
-                    .into(),
-            ),
-            Err(reason) if !self.is_profile() => {
-                all.push(format!("No power law is drawn: {reason}."));
-            }
-            _ => {}
-        }
-        all
-    }
-
     /// Heights \[m\] for a map of at most `most` points on a side, row by row, and their number in
     /// a row: means of squares of points, NaN where none is measured.
     #[must_use]
@@ -128,14 +91,6 @@ impl Topography {
         }
         (sums.into_iter().map(|(sum, n)| sum / n).collect(), columns)
     }
-}
-
-/// A length with three significant digits.
-fn length(metres: f64) -> String {
-    let units = [(1e-3, "mm"), (1e-6, "µm"), (1e-9, "nm"), (1e-12, "pm")];
-    let (unit, name) = units.into_iter().find(|(unit, _)| metres >= *unit).unwrap_or((1.0, "m"));
-    let rounded: f64 = format!("{:.2e}", metres / unit).parse().unwrap_or(metres / unit);
-    format!("{rounded} {name}")
 }
 
 #[cfg(test)]

@@ -5,12 +5,11 @@ use std::sync::Arc;
 use asperity_fft::{Complex64, Fft};
 
 use crate::error::out_of_range;
-use crate::{LengthUnit, Topography, TopographyError};
+use crate::topography::transposed;
+use crate::{Topography, TopographyError};
 
 /// Distance from the centre \[cut-offs\] beyond which the weight is below 1e-16 of its maximum.
 const REACH: f64 = 1.63;
-/// Number of columns filtered together: 16 complex numbers fill a few cache lines of each row.
-const BLOCK: usize = 16;
 
 impl Topography {
     /// The roughness: the surface without its Gaussian mean surface. Waves much longer than
@@ -62,7 +61,12 @@ impl Topography {
             let (least, largest) = (2.0 * step, n as f64 * step);
             match (least..=largest).contains(&cutoff) {
                 true => Ok(Line::new(n, cutoff / step, self.is_periodic())),
-                false => Err(cutoff_error(field, cutoff, [least, largest])),
+                false => {
+                    let required = format!(
+                        "at least two pixels ({least:.3e} m) and at most the size of the surface ({largest:.3e} m), in m or with a unit (8um),"
+                    );
+                    Err(out_of_range(field, cutoff, &required))
+                }
             }
         };
         let mean = self.mean();
@@ -77,44 +81,15 @@ impl Topography {
         };
         let mut along_rows = along(columns, dx)?;
         let mut points: Vec<Complex64> = self.heights().iter().map(there).collect();
-        for row in points.chunks_mut(columns) {
-            along_rows.convolve(row);
-        }
+        points.chunks_mut(columns).for_each(|row| along_rows.convolve(row));
         if !self.is_profile() {
             let mut along_columns = along(rows, dy)?;
-            let mut block = vec![Complex64::default(); rows * BLOCK];
-            for left in (0..columns).step_by(BLOCK) {
-                let width = BLOCK.min(columns - left);
-                for (y, row) in points.chunks(columns).enumerate() {
-                    for (i, point) in row[left..left + width].iter().enumerate() {
-                        block[i * rows + y] = *point;
-                    }
-                }
-                for column in block.chunks_mut(rows).take(width) {
-                    along_columns.convolve(column);
-                }
-                for (y, row) in points.chunks_mut(columns).enumerate() {
-                    for (i, point) in row[left..left + width].iter_mut().enumerate() {
-                        *point = block[i * rows + y];
-                    }
-                }
-            }
+            points = transposed(&points, columns);
+            points.chunks_mut(rows).for_each(|column| along_columns.convolve(column));
+            points = transposed(&points, rows);
         }
         Ok(points.into_iter().map(move |point| mean + scale * (point.re / point.im)))
     }
-}
-
-/// The error for a cut-off outside these lengths, with the unit that fits the value.
-fn cutoff_error(field: &'static str, value: f64, [least, largest]: [f64; 2]) -> TopographyError {
-    let inside = |unit: &LengthUnit| (least..=largest).contains(&(value * unit.metres()));
-    let unit = [LengthUnit::Micrometre, LengthUnit::Millimetre].into_iter().find(inside);
-    // A smaller number was meant in metres.
-    let unit = unit.filter(|_| value > 0.01);
-    let meant = unit.map_or(String::new(), |unit| format!("; {value} looks like {unit}"));
-    let required = format!(
-        "a length of at least two pixels ({least:.3e} m) and at most the size of the surface ({largest:.3e} m{meant})"
-    );
-    out_of_range(field, value, &required)
 }
 
 /// Convolution of lines of n points with the Gaussian weight, by FFT.
@@ -124,7 +99,6 @@ struct Line {
     /// Transform of the weight over the length; real, as the weight is even.
     spectrum: Vec<f64>,
     buffer: Vec<Complex64>,
-    scratch: Vec<Complex64>,
 }
 
 impl Line {
@@ -146,11 +120,9 @@ impl Line {
                 }
             }
         }
-        let longest = forward.get_inplace_scratch_len().max(inverse.get_inplace_scratch_len());
-        let mut scratch = vec![Complex64::default(); longest];
-        forward.process_with_scratch(&mut weights, &mut scratch);
+        forward.process(&mut weights);
         let spectrum = weights.iter().map(|weight| weight.re).collect();
-        Self { forward, inverse, spectrum, buffer: vec![Complex64::default(); length], scratch }
+        Self { forward, inverse, spectrum, buffer: vec![Complex64::default(); length] }
     }
 
     /// Sums over the line, not yet divided by the sum of the weights: the quotient of the two
@@ -159,11 +131,11 @@ impl Line {
         let (points, zeros) = self.buffer.split_at_mut(line.len());
         points.copy_from_slice(line);
         zeros.fill(Complex64::default());
-        self.forward.process_with_scratch(&mut self.buffer, &mut self.scratch);
+        self.forward.process(&mut self.buffer);
         for (value, weight) in self.buffer.iter_mut().zip(&self.spectrum) {
             *value *= weight;
         }
-        self.inverse.process_with_scratch(&mut self.buffer, &mut self.scratch);
+        self.inverse.process(&mut self.buffer);
         line.copy_from_slice(&self.buffer[..line.len()]);
     }
 }
@@ -228,7 +200,5 @@ mod tests {
             let error = surface.clone().smooth(cutoff).unwrap_err().to_string();
             assert!(error.starts_with("smooth is"), "{error}");
         }
-        let fine = Topography::new(vec![0.0; 100], 10, [1e-6; 2]).unwrap();
-        assert!(fine.filter(3.0).unwrap_err().to_string().contains("looks like um"));
     }
 }

@@ -25,9 +25,9 @@ pub struct Reported {
 }
 
 /// Name, value, unit and meaning.
-type Number = (&'static str, Option<f64>, &'static str, &'static str);
+pub(crate) type Number = (&'static str, Option<f64>, &'static str, &'static str);
 
-fn reported((name, value, unit, meaning): Number) -> Reported {
+pub(crate) fn reported((name, value, unit, meaning): Number) -> Reported {
     Reported { name, value, unit, meaning: meaning.into() }
 }
 

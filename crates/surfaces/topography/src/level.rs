@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use serde::{Deserialize, Serialize};
 
-use crate::error::named;
+use crate::error::{named, refuse};
 use crate::{Topography, TopographyError};
 
 /// The form removed before statistics.
@@ -64,7 +64,7 @@ impl Topography {
     /// missing.
     ///
     /// # Errors
-    /// [`TopographyError::Level`] when the points do not determine the fit: all on one line, for
+    /// [`TopographyError::Content`] when the points do not determine the fit: all on one line, for
     /// example.
     pub fn level(self, level: Level) -> Result<Self, TopographyError> {
         if level == Level::None {
@@ -101,10 +101,9 @@ impl Topography {
         }
         let eigen = SymmetricEigen::new(normal);
         if eigen.eigenvalues.min() <= DETERMINED * eigen.eigenvalues.max() {
-            return Err(TopographyError::Level {
-                level: level.to_string(),
-                points: self.measured(),
-            });
+            let found = format!("{} points with a height", self.measured());
+            let required = "points in at least two (plane) or three (quadratic) rows and columns";
+            return Err(refuse(format!("level {level}"), found, required));
         }
         let weights = eigen.eigenvectors.tr_mul(&right).component_div(&eigen.eigenvalues);
         let fit = eigen.eigenvectors * weights;
@@ -276,7 +275,7 @@ mod tests {
             heights[5 * i] = i as f64;
         }
         let surface = Topography::new(heights, 4, [1.0; 2]).unwrap();
-        let refused = surface.level(Level::Plane);
-        assert!(matches!(refused, Err(TopographyError::Level { points: 4, .. })), "{refused:?}");
+        let refused = surface.level(Level::Plane).unwrap_err().to_string();
+        assert!(refused.starts_with("level plane: 4 points"), "{refused}");
     }
 }

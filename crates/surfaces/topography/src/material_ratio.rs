@@ -1,6 +1,7 @@
 //! The material ratio curve and the functional parameters of ISO 25178-2 and ISO 21920-2.
 
-use crate::{Topography, TopographyError};
+use crate::glance::{Number, reported};
+use crate::{Reported, Topography, TopographyError};
 
 /// Width of the secant of least slope, as a material ratio.
 const CORE: f64 = 0.4;
@@ -16,6 +17,9 @@ pub struct MaterialRatio {
     /// Heights about their mean \[m\], falling.
     heights: Vec<f64>,
 }
+
+/// Points of the curve in its csv, less one.
+const DRAWN: usize = 400;
 
 /// Functional parameters, of a profile `Rk`, `Rpk` and so on. Heights are in m, volumes in m³/m².
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -105,9 +109,10 @@ impl MaterialRatio {
         [material, voids].map(|area| area / self.intervals())
     }
 
-    /// The line of the core: its heights at the shares 0 and 1. Least squares over the points of
-    /// the window of 40 % in which the curve falls least; of several, the first.
-    fn core(&self) -> [f64; 2] {
+    /// The share at which the window of 40 % begins in which the curve falls least, of several the
+    /// first; and the line of the core, by least squares over the points of this window: its
+    /// heights at the shares 0 and 1.
+    fn core(&self) -> (f64, [f64; 2]) {
         let step = 1.0 / self.intervals();
         let last = ((1.0 - CORE) / step).floor() as usize;
         let fall = |k: usize| self.heights[k] - self.height(k as f64 * step + CORE);
@@ -123,13 +128,26 @@ impl MaterialRatio {
         let products = points.iter().enumerate().map(product).sum::<f64>();
         let slope = if square > 0.0 { products / square / step } else { 0.0 };
         let top = mean - slope * (first as f64 + middle) * step;
-        [top, top + slope]
+        (first as f64 * step, [top, top + slope])
+    }
+
+    /// The curve, the secant of least slope and the line of the core as csv text with the columns
+    /// `curve,material_ratio,height_m`: shares from 0 to 1, and heights above the mean \[m\].
+    #[must_use]
+    pub fn csv(&self) -> String {
+        let (first, [top, bottom]) = self.core();
+        let curve = (0..=DRAWN).map(|k| k as f64 / DRAWN as f64);
+        let curve = curve.map(|share| ("curve", share, self.height(share)));
+        let secant = [first, first + CORE].map(|share| ("secant", share, self.height(share)));
+        let rows = curve.chain(secant).chain([("core", 0.0, top), ("core", 1.0, bottom)]);
+        let row = |(name, share, height)| format!("{name},{share:.8},{height:.8e}\n");
+        "curve,material_ratio,height_m\n".to_owned() + &rows.map(row).collect::<String>()
     }
 
     /// The functional parameters.
     #[must_use]
     pub fn functional(&self) -> Functional {
-        let [top, bottom] = self.core();
+        let (_, [top, bottom]) = self.core();
         let [smr1, smr2] = [top, bottom].map(|height| self.share(height));
         // Triangles of the same areas above and below the core.
         let triangle = |area: f64, base: f64| if base > 0.0 { 2.0 * area / base } else { 0.0 };
@@ -146,6 +164,50 @@ impl MaterialRatio {
             vvc: above - vvv,
             vvv,
         }
+    }
+}
+
+/// A functional parameter: its names for a surface and a profile, unit and meaning.
+const FUNCTIONAL: [[&str; 4]; 9] = [
+    ["sk", "rk", "m", "height of the core, by the line of the 40 % of least slope"],
+    ["spk", "rpk", "m", "reduced height of the peaks above the core"],
+    ["svk", "rvk", "m", "reduced depth of the dales below the core"],
+    ["smr1", "rmr1", "", "material ratio at the top of the core"],
+    ["smr2", "rmr2", "", "material ratio at the bottom of the core"],
+    ["vmp", "", "m3/m2", "material above the height of a ratio of 10 %"],
+    ["vmc", "", "m3/m2", "material between the heights of 10 and 80 %"],
+    ["vvc", "", "m3/m2", "voids between the heights of 10 and 80 %"],
+    ["vvv", "", "m3/m2", "voids below the height of 80 %"],
+];
+
+impl Topography {
+    /// Functional parameters of the surface, which should be [levelled](Self::level) and filtered,
+    /// in SI units: `sk` to `vvv`; of a profile `rk` to `rmr2`, `rz`, `rsm` and `rdq`.
+    ///
+    /// # Errors
+    /// [`TopographyError::Flat`] when all heights are equal.
+    pub fn functional(&self) -> Result<Vec<Reported>, TopographyError> {
+        let Functional { sk, spk, svk, smr1, smr2, vmp, vmc, vvc, vvv } =
+            self.material_ratio()?.functional();
+        let values = [sk, spk, svk, smr1, smr2, vmp, vmc, vvc, vvv];
+        let profile = usize::from(self.is_profile());
+        let row =
+            |(row, value): ([&'static str; 4], f64)| (row[profile], Some(value), row[2], row[3]);
+        let mut rows: Vec<Number> = FUNCTIONAL.into_iter().zip(values).map(row).collect();
+        rows.retain(|(name, ..)| !name.is_empty());
+        if self.is_profile() {
+            let [rz, rsm] = self.profile_elements();
+            let rdq = self.at_distance(1).slope_rows;
+            rows.push((
+                "rz",
+                rz,
+                "m",
+                "mean height from lowest to highest point, of five sections",
+            ));
+            rows.push(("rsm", rsm, "m", "mean width of a hill with a dale"));
+            rows.push(("rdq", rdq, "", "rms slope between neighbouring points"));
+        }
+        Ok(rows.into_iter().map(reported).collect())
     }
 }
 

@@ -2,6 +2,8 @@
 
 use asperity_core::ProfileMoments;
 
+use crate::error::refuse;
+use crate::slopes::{Differences, Mean};
 use crate::{Topography, TopographyError};
 
 /// The spectral moments of a surface: of profiles averaged over all directions, and along the axes.
@@ -85,35 +87,26 @@ impl Topography {
     /// The spectral moments of the surface; m₀ is about the mean height.
     ///
     /// # Errors
-    /// [`TopographyError::TooFew`] when a direction has no three measured neighbours in a row.
+    /// [`TopographyError::Content`] when a direction has no three measured neighbours in a row.
     pub fn moments(&self) -> Result<Moments, TopographyError> {
-        let [dx, dy] = self.pixel_size();
-        let (columns, rows) = (self.columns(), self.rows());
         let mean = self.mean();
-        let mut along_rows = Direction::about(mean);
-        let mut along_columns = Direction::about(mean);
-        let row = |index: usize| &self.heights()[(index % rows) * columns..][..columns];
-        for y in 0..rows {
-            let middle = row(y);
-            along_rows.add_line(middle, dx, self.is_periodic());
-            if rows > 1 && (y + 1 < rows || self.is_periodic()) {
-                along_columns.add_slopes(middle, row(y + 1), dy);
-            }
-            if rows > 2 && (y + 2 < rows || self.is_periodic()) {
-                along_columns.curvature.add_curvatures(middle, row(y + 1), row(y + 2), dy);
-            }
-        }
         let m0 = self.central_moment(mean, 2);
-        let slope_height = along_rows.slope_height(&along_columns);
-        let along_rows = along_rows.means("measured neighbours along rows")?;
+        let of = |all: Differences, what| match (all.slope.mean(), all.curvature.mean()) {
+            (Some(slope), Some(curvature)) => Ok([slope, curvature]),
+            _ => Err(refuse(what, all.slope.count.min(2), "at least 3 in a row")),
+        };
+        let [rows, columns] = self.differences(1, mean);
+        let along_rows = of(rows, "measured neighbours along rows")?;
         let [m2, m4] = along_rows;
         let profile = ProfileMoments { m0, m2, m4 };
+        let slope_height = rows.slope_height.mean().unwrap_or_default();
         let mut found =
             Moments { profile, along_rows, along_columns: None, slope_tensor: None, slope_height };
         if self.is_profile() {
             return Ok(found);
         }
-        let [slope, curvature] = along_columns.means("measured neighbours along columns")?;
+        let [slope, curvature] = of(columns, "measured neighbours along columns")?;
+        found.slope_height = 0.5 * (slope_height + columns.slope_height.mean().unwrap_or_default());
         // Between holes without two squares side by side, that of an isotropic surface.
         let twist = self.twist().unwrap_or((m4 + curvature) / 6.0);
         found.profile.m2 = 0.5 * (m2 + slope);
@@ -148,17 +141,22 @@ impl Topography {
             let twist = |x: usize| down[next(x)] - down[x] - up[next(x)] + up[x];
             (0..columns - open).map(|x| twist(x) / (dx * dy)).collect()
         };
-        let [mut own, mut right, mut down] = [const { Mean { sum: 0.0, count: 0 } }; 3];
+        let [mut own, mut right, mut down] = [Mean::default(); 3];
+        let add = |sum: &mut Mean, a: &[f64], b: &[f64]| {
+            let mut line = Mean::default();
+            a.iter().zip(b).for_each(|(a, b)| line.add(a * b));
+            sum.plus(line);
+        };
         let lines = rows - open;
         let mut here = line(0);
         for y in 0..lines {
             let below = (y + 1 < lines || open == 0).then(|| line((y + 1) % rows));
             let beside = if open == 0 { &here[..1] } else { &[] };
-            own.add_products(&here, &here);
-            right.add_products(&here[1..], &here);
-            right.add_products(&here[here.len() - beside.len()..], beside);
+            add(&mut own, &here, &here);
+            add(&mut right, &here[1..], &here);
+            add(&mut right, &here[here.len() - beside.len()..], beside);
             let Some(below) = below else { break };
-            down.add_products(&here, &below);
+            add(&mut down, &here, &below);
             here = below;
         }
         Some((4.0 * own.mean()? + right.mean()? + down.mean()?) / 6.0)
@@ -174,136 +172,9 @@ impl Topography {
     }
 }
 
-/// A running mean without differences that contain a missing point.
-#[derive(Default)]
-struct Mean {
-    sum: f64,
-    count: usize,
-}
-
-impl Mean {
-    fn add(&mut self, terms: impl Iterator<Item = f64>) {
-        let mut sum = 0.0;
-        for term in terms {
-            if !term.is_nan() {
-                sum += term;
-                self.count += 1;
-            }
-        }
-        self.sum += sum;
-    }
-
-    fn add_squares(&mut self, values: impl Iterator<Item = f64>) {
-        self.add(values.map(|value| value * value));
-    }
-
-    fn add_products(&mut self, a: &[f64], b: &[f64]) {
-        self.add(a.iter().zip(b).map(|(a, b)| a * b));
-    }
-
-    fn add_slopes(&mut self, a: &[f64], b: &[f64], step: f64) {
-        self.add_squares(a.iter().zip(b).map(|(a, b)| (b - a) / step));
-    }
-
-    fn add_curvatures(&mut self, a: &[f64], b: &[f64], c: &[f64], step: f64) {
-        let triples = a.iter().zip(b).zip(c);
-        self.add_squares(triples.map(|((a, b), c)| (a - 2.0 * b + c) / (step * step)));
-    }
-
-    fn mean(&self) -> Option<f64> {
-        (self.count > 0).then(|| self.sum / self.count as f64)
-    }
-}
-
-/// Slopes and curvatures along one direction.
-#[derive(Default)]
-struct Direction {
-    slope: Mean,
-    curvature: Mean,
-    /// Of the map.
-    mean_height: f64,
-    /// Σ slope² (z - mean) over the pairs of `slope`.
-    slope_height: f64,
-}
-
-impl Direction {
-    fn about(mean_height: f64) -> Self {
-        Self { mean_height, ..Self::default() }
-    }
-
-    fn add_slopes(&mut self, a: &[f64], b: &[f64], step: f64) {
-        self.slope.add_slopes(a, b, step);
-        let products = a
-            .iter()
-            .zip(b)
-            .map(|(a, b)| ((b - a) / step).powi(2) * (0.5 * (a + b) - self.mean_height));
-        self.slope_height += products.filter(|product| !product.is_nan()).sum::<f64>();
-    }
-
-    /// The mean of this direction and, where it has pairs, of the other one.
-    fn slope_height(&self, other: &Self) -> f64 {
-        let mean = |of: &Self| of.slope_height / of.slope.count.max(1) as f64;
-        if other.slope.count == 0 { mean(self) } else { 0.5 * (mean(self) + mean(other)) }
-    }
-
-    fn add_line(&mut self, line: &[f64], step: f64, periodic: bool) {
-        let n = line.len();
-        if n < 3 {
-            return;
-        }
-        self.add_slopes(&line[..n - 1], &line[1..], step);
-        self.curvature.add_curvatures(&line[..n - 2], &line[1..n - 1], &line[2..], step);
-        if periodic {
-            let (first, last) = (&line[..1], &line[n - 1..]);
-            self.add_slopes(last, first, step);
-            self.curvature.add_curvatures(&line[n - 2..n - 1], last, first, step);
-            self.curvature.add_curvatures(last, first, &line[1..2], step);
-        }
-    }
-
-    fn means(&self, what: &'static str) -> Result<[f64; 2], TopographyError> {
-        match (self.slope.mean(), self.curvature.mean()) {
-            (Some(slope), Some(curvature)) => Ok([slope, curvature]),
-            _ => Err(TopographyError::TooFew { what, found: self.slope.count.min(2), required: 3 }),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// z = a cos(2πpx/n) + b cos(2πqy/n) on an n × n grid of the pixel sizes.
-    fn waves(n: usize, [a, p]: [f64; 2], [b, q]: [f64; 2], pixel_size: [f64; 2]) -> Topography {
-        let turn = std::f64::consts::TAU / n as f64;
-        let height = |index: usize| {
-            let (x, y) = ((index % n) as f64, (index / n) as f64);
-            a * (turn * p * x).cos() + b * (turn * q * y).cos()
-        };
-        Topography::new((0..n * n).map(height).collect(), n, pixel_size)
-            .unwrap()
-            .with_periodic(true)
-    }
-
-    #[test]
-    fn waves_have_the_moments_of_their_differences() {
-        let (n, dx, dy) = (96, 0.5e-6, 0.8e-6);
-        let surface = waves(n, [2e-7, 5.0], [3e-7, 7.0], [dx, dy]);
-        let moments = surface.moments().unwrap();
-        // A difference of a wave of phase k per pixel is a wave 2 sin(k/2) as high.
-        let square = |a: f64, p: f64, step: f64| {
-            let gain = 2.0 * (std::f64::consts::PI * p / n as f64).sin();
-            [0.5 * (a * gain / step).powi(2), 0.5 * (a * (gain / step).powi(2)).powi(2)]
-        };
-        let (x, y) = (square(2e-7, 5.0, dx), square(3e-7, 7.0, dy));
-        let close = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-12;
-        assert!(close(moments.profile.m0, 0.5 * (4e-14 + 9e-14)));
-        assert!(close(moments.along_rows[0], x[0]) && close(moments.along_rows[1], x[1]));
-        let columns = moments.along_columns.unwrap();
-        assert!(close(columns[0], y[0]) && close(columns[1], y[1]));
-        assert!(close(moments.profile.m2, 0.5 * (x[0] + y[0])));
-        assert!(close(moments.profile.m4, 0.375 * (x[1] + y[1])));
-    }
 
     #[test]
     fn a_wave_has_the_same_moments_in_every_direction() {
@@ -369,15 +240,6 @@ mod tests {
         let wanted = pairs.iter().map(|[a, b]: &[f64; 2]| (b - a).powi(2) * (0.5 * (a + b) - mean));
         let wanted = wanted.sum::<f64>() / 7.0;
         assert!((found.slope_height - wanted).abs() < 1e-12, "{found:?} {wanted}");
-    }
-
-    #[test]
-    fn differences_with_a_missing_point_are_left_out() {
-        let heights = vec![0.0, 1.0, f64::NAN, 4.0, 6.0, 9.0];
-        let moments = Topography::new(heights, 6, [1.0; 2]).unwrap().moments().unwrap();
-        assert!((moments.profile.m2 - (1.0 + 4.0 + 9.0) / 3.0).abs() < 1e-15);
-        assert!((moments.profile.m4 - 1.0).abs() < 1e-15);
-        assert!(moments.along_columns.is_none());
     }
 
     #[test]

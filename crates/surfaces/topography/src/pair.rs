@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::named;
+use crate::error::{named, refuse};
 use crate::{Topography, TopographyError};
 
 /// Pixel sizes of aligned scans agree to this share: text files round them.
@@ -28,17 +28,18 @@ impl Topography {
     /// of their heights, with a point missing where either has none. It is periodic if both are.
     ///
     /// # Errors
-    /// [`TopographyError::NotAligned`] if numbers of points or pixel sizes differ.
+    /// [`TopographyError::Content`] if numbers of points or pixel sizes differ.
     pub fn facing(&self, other: &Self, alignment: Alignment) -> Result<Self, TopographyError> {
-        let points = |of: &Self| format!("{} x {} points", of.rows(), of.columns());
-        if points(self) != points(other) {
-            let [first, second] = [self, other].map(points);
-            return Err(TopographyError::NotAligned { first, second });
-        }
+        let grid = |of: &Self| {
+            let [dx, dy] = of.pixel_size();
+            format!("{} x {} points of {dx:e} x {dy:e} m", of.rows(), of.columns())
+        };
         let [one, two] = [self.pixel_size(), other.pixel_size()];
-        if one.iter().zip(two).any(|(a, b)| (a - b).abs() > SAME_PIXEL * a) {
-            let [first, second] = [one, two].map(|[dx, dy]| format!("pixels of {dx:e} x {dy:e} m"));
-            return Err(TopographyError::NotAligned { first, second });
+        let apart = |(a, b): (&f64, f64)| (a - b).abs() > SAME_PIXEL * a;
+        let shape = |of: &Self| [of.rows(), of.columns()];
+        if shape(self) != shape(other) || one.iter().zip(two).any(apart) {
+            let required = format!("{}, as of the first scan,", grid(self));
+            return Err(refuse("second scan", grid(other), required));
         }
         let columns = self.columns();
         let rows = self.heights().chunks(columns).zip(other.heights().chunks(columns));

@@ -9,17 +9,6 @@ const LEAST_HEIGHT: f64 = 0.1;
 /// The least width of a hill or dale, over the length of a section.
 const LEAST_WIDTH: f64 = 0.01;
 
-/// Rz and RSm of a profile \[recalled: from general knowledge of the standard\].
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct ProfileElements {
-    /// Rz \[m\]: the mean over five sections of the height from the lowest to the highest point.
-    pub rz: f64,
-    /// RSm \[m\]: the mean width of the elements, each a hill and a dale. Hills and dales below
-    /// 10 % of Rz or 1 % of a section belong to those before. `None` for fewer than two hills.
-    pub rsm: Option<f64>,
-}
-
 /// A part of the profile on one side of the mean line.
 #[derive(Debug, Clone, Copy)]
 struct Part {
@@ -29,13 +18,17 @@ struct Part {
 }
 
 impl Topography {
-    /// Rz and RSm; `None` for a surface of several rows, for missing points and for less than a
-    /// point to a section.
-    #[must_use]
-    pub fn profile_elements(&self) -> Option<ProfileElements> {
+    /// Rz \[m\], the mean over five sections of the height from the lowest to the highest point,
+    /// and RSm \[m\], the mean width of the elements, each a hill and a dale \[recalled: from
+    /// general knowledge of the standard\]. Hills and dales below 10 % of Rz or 1 % of a section
+    /// belong to those before.
+    ///
+    /// `None` for a surface of several rows, for missing points and for fewer than two points to a
+    /// section; no RSm for fewer than two hills.
+    pub(crate) fn profile_elements(&self) -> [Option<f64>; 2] {
         let n = self.columns();
         if !self.is_profile() || self.measured() < n || n < 2 * SECTIONS {
-            return None;
+            return [None; 2];
         }
         let mean = self.mean();
         let z: Vec<f64> = self.heights().iter().map(|z| z - mean).collect();
@@ -53,7 +46,7 @@ impl Topography {
             }
             _ => None,
         };
-        Some(ProfileElements { rz, rsm })
+        [Some(rz), rsm]
     }
 }
 
@@ -94,9 +87,9 @@ mod tests {
         let wave = |x: f64| (TAU * (x + 0.3) / 100.0).sin();
         for ripple in [0.0, 0.05] {
             let rough = profile(|x| wave(x) + ripple * (TAU * x / 7.3).sin());
-            let ProfileElements { rz, rsm, .. } = rough.profile_elements().unwrap();
+            let [rz, rsm] = rough.profile_elements().map(Option::unwrap);
             let slack = 1e-3 + 0.5 * ripple;
-            assert!((rsm.unwrap() / 50e-6 - 1.0).abs() < slack, "{ripple}: {rsm:?}");
+            assert!((rsm / 50e-6 - 1.0).abs() < slack, "{ripple}: {rsm:e}");
             assert!((rz / 2e-6 - 1.0).abs() < 1e-3 + 1.1 * ripple, "{ripple}: {rz:e}");
         }
     }
@@ -104,8 +97,8 @@ mod tests {
     #[test]
     fn one_hill_and_surfaces_have_no_width() {
         let step = profile(|x| if (x - 2000.0).abs() < 300.0 { 1.0 } else { 0.0 });
-        assert_eq!(step.profile_elements().unwrap().rsm, None);
+        assert_eq!(step.profile_elements()[1], None);
         let surface = Topography::new(vec![0.0; 100], 10, [1e-6; 2]).unwrap();
-        assert_eq!(surface.profile_elements(), None);
+        assert_eq!(surface.profile_elements(), [None; 2]);
     }
 }

@@ -97,43 +97,92 @@ impl Topography {
     /// Slopes and curvatures over a distance of whole pixels.
     #[must_use]
     pub fn at_distance(&self, step: usize) -> AtDistance {
-        let [dx, dy] = self.pixel_size();
-        let [slope_rows, curvature_rows] = self.differences([0, step], step as f64 * dx);
-        let [slope_columns, curvature_columns] = match self.is_profile() {
-            true => [None; 2],
-            false => self.differences([step, 0], step as f64 * dy),
-        };
-        AtDistance { step, slope_rows, slope_columns, curvature_rows, curvature_columns }
+        let rms = |mean: Mean| mean.mean().map(f64::sqrt);
+        let [along_rows, along_columns] = self.differences(step, 0.0);
+        AtDistance {
+            step,
+            slope_rows: rms(along_rows.slope),
+            slope_columns: rms(along_columns.slope),
+            curvature_rows: rms(along_rows.curvature),
+            curvature_columns: rms(along_columns.curvature),
+        }
     }
 
-    /// The rms slope and curvature from heights so many rows and columns apart, at a distance.
-    fn differences(&self, [down, right]: [usize; 2], distance: f64) -> [Option<f64>; 2] {
+    /// The differences of heights so many points apart, along rows and along columns; products with
+    /// heights are of those above `base`.
+    pub(crate) fn differences(&self, step: usize, base: f64) -> [Differences; 2] {
+        let [dx, dy] = self.pixel_size().map(|pixel| step as f64 * pixel);
+        [self.differences_along([0, step], dx, base), self.differences_along([step, 0], dy, base)]
+    }
+
+    /// The same, from heights so many rows and columns apart, at a distance.
+    fn differences_along(
+        &self,
+        [down, right]: [usize; 2],
+        distance: f64,
+        base: f64,
+    ) -> Differences {
         let (rows, columns, wrap) = (self.rows(), self.columns(), self.is_periodic());
         let after = |at: usize, steps: usize, n: usize| match at + steps {
             to if to < n => Some(to),
-            to => wrap.then(|| to % n),
+            to => (wrap && steps < n).then(|| to % n),
         };
         let row = |y: usize| &self.heights()[y * columns..][..columns];
-        let (mut sums, mut counts) = ([0.0; 2], [0_usize; 2]);
-        let mut add = |term: usize, value: f64| {
-            if !value.is_nan() {
-                sums[term] += value * value;
-                counts[term] += 1;
-            }
-        };
+        let mut sums = Differences::default();
         for y in 0..rows {
             let Some(next) = after(y, down, rows).map(row) else { break };
             let (here, far) = (row(y), after(y, 2 * down, rows).map(row));
+            let mut line = Differences::default();
             for (x, z) in here.iter().enumerate() {
                 let Some(one) = after(x, right, columns) else { break };
-                add(0, (next[one] - z) / distance);
+                let slope = (next[one] - z) / distance;
+                line.slope.add(slope * slope);
+                line.slope_height.add(slope * slope * (0.5 * (z + next[one]) - base));
                 if let Some((far, two)) = far.zip(after(x, 2 * right, columns)) {
-                    add(1, (z - 2.0 * next[one] + far[two]) / (distance * distance));
+                    let curvature = (z - 2.0 * next[one] + far[two]) / (distance * distance);
+                    line.curvature.add(curvature * curvature);
                 }
             }
+            sums.slope.plus(line.slope);
+            sums.slope_height.plus(line.slope_height);
+            sums.curvature.plus(line.curvature);
         }
-        std::array::from_fn(|k| (counts[k] > 0).then(|| (sums[k] / counts[k] as f64).sqrt()))
+        sums
     }
+}
+
+/// A running mean without values that contain a missing point.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Mean {
+    sum: f64,
+    pub(crate) count: usize,
+}
+
+impl Mean {
+    pub(crate) fn add(&mut self, value: f64) {
+        if !value.is_nan() {
+            self.sum += value;
+            self.count += 1;
+        }
+    }
+
+    pub(crate) fn plus(&mut self, other: Self) {
+        self.sum += other.sum;
+        self.count += other.count;
+    }
+
+    pub(crate) fn mean(self) -> Option<f64> {
+        (self.count > 0).then(|| self.sum / self.count as f64)
+    }
+}
+
+/// Squares of slopes and curvatures along one direction, and squares of slopes times the height
+/// between their two points.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Differences {
+    pub(crate) slope: Mean,
+    pub(crate) curvature: Mean,
+    pub(crate) slope_height: Mean,
 }
 
 #[cfg(test)]

@@ -5,7 +5,8 @@ use std::f64::consts::{PI, TAU};
 
 use asperity_fft::Complex64;
 
-use crate::error::at_most;
+use crate::error::{at_most, refuse};
+use crate::topography::transposed;
 use crate::{Topography, TopographyError};
 
 /// Bins in an octave of wave numbers.
@@ -55,17 +56,16 @@ impl Topography {
     /// its round window. Missing points are [filled](Self::fill) first.
     ///
     /// # Errors
-    /// The errors of [`fill`](Self::fill); [`TopographyError::TooLarge`] above 2²⁴ points;
-    /// [`TopographyError::Flat`] when all heights are equal; [`TopographyError::TooFew`] below four
-    /// points along a row, or along a column.
+    /// The errors of [`fill`](Self::fill); [`TopographyError::Content`] above 2²⁴ points;
+    /// [`TopographyError::Flat`] when all heights are equal; [`TopographyError::Content`] below
+    /// four points along a row, or along a column.
     pub fn spectra(&self) -> Result<Spectra, TopographyError> {
         let (rows, columns) = (self.rows(), self.columns());
         let size = self.heights().len() as u64;
         at_most("the number of points of a spectrum", size, MOST as u64)?;
         let least = if rows > 1 { rows.min(columns) } else { columns };
         if least < 4 {
-            let what = "points along a side";
-            return Err(TopographyError::TooFew { what, found: least, required: 4 });
+            return Err(refuse("points along a side", least, "at least 4"));
         }
         let whole = match self.missing_share() > 0.0 {
             true => Cow::Owned(self.clone().fill()?),
@@ -74,22 +74,21 @@ impl Topography {
         let [dx, dy] = self.pixel_size();
         let mean = whole.mean();
         let [along, down] = [columns, rows].map(|n| self.window(n));
-        let lines = |count: usize, n: usize, window: &[f64], at: &dyn Fn(usize, usize) -> f64| {
-            let plan = asperity_fft::forward(n);
-            let mut power = vec![0.0; n / 2 + 1];
-            let mut line = vec![Complex64::ZERO; n];
-            for k in 0..count {
-                for (i, point) in line.iter_mut().enumerate() {
-                    *point = Complex64::from(window[i] * (at(k, i) - mean));
-                }
+        let lines = |heights: &[f64], window: &[f64]| {
+            let n = window.len();
+            let (plan, mut power) = (asperity_fft::forward(n), vec![0.0; n / 2 + 1]);
+            for line in heights.chunks(n) {
+                let windowed =
+                    line.iter().zip(window).map(|(z, w)| Complex64::from(w * (z - mean)));
+                let mut line: Vec<_> = windowed.collect();
                 plan.process(&mut line);
                 power.iter_mut().zip(&line).for_each(|(sum, wave)| *sum += wave.norm_sqr());
             }
-            power.iter_mut().for_each(|sum| *sum /= count as f64);
+            power.iter_mut().for_each(|sum| *sum /= (heights.len() / n) as f64);
             power
         };
         let heights = whole.heights();
-        let rows_power = lines(rows, columns, &along, &|k, i| heights[k * columns + i]);
+        let rows_power = lines(heights, &along);
         let along_rows = profile(&rows_power, columns, dx);
         if along_rows.density.is_empty() {
             return Err(TopographyError::Flat { points: self.measured() });
@@ -100,7 +99,7 @@ impl Topography {
             let (radial, along_columns) = (None, None);
             return Ok(Spectra { radial, along_rows, along_columns, median_wavelength });
         }
-        let columns_power = lines(columns, rows, &down, &|k, i| heights[i * columns + k]);
+        let columns_power = lines(&transposed(heights, columns), &down);
         let along_columns = Some(profile(&columns_power, rows, dy));
         let point = |(k, h): (usize, &f64)| {
             Complex64::from(along[k % columns] * down[k / columns] * (h - mean))
@@ -200,10 +199,7 @@ fn both(
     plan: fn(usize) -> std::sync::Arc<dyn asperity_fft::Fft<f64>>,
 ) -> Vec<Complex64> {
     plan(columns).process(&mut values);
-    let mut turned = vec![Complex64::ZERO; values.len()];
-    for (i, row) in values.chunks(columns).enumerate() {
-        row.iter().enumerate().for_each(|(j, value)| turned[j * rows + i] = *value);
-    }
+    let mut turned = transposed(&values, columns);
     plan(rows).process(&mut turned);
     turned
 }

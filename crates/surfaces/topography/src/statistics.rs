@@ -1,10 +1,10 @@
 //! Statistics of a surface: heights, moments, outliers, asperities.
 
-use asperity_core::{Finding, ProfileMoments, Surface};
+use asperity_core::{Code, Finding, ProfileMoments, Surface};
 use serde::{Deserialize, Serialize};
 
 use crate::error::named;
-use crate::{Moments, Outliers, Topography, TopographyError, warning};
+use crate::{Moments, Outliers, Summits, Topography, TopographyError, warning};
 
 /// How asperities are found in a measured surface.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -93,50 +93,41 @@ impl Topography {
         }
         let ssk = self.central_moment(mean, 3) / m0.powf(1.5);
         let sku = self.central_moment(mean, 4) / (m0 * m0);
-        let gaussian = |surface: Surface| (surface, surface.mean_plane_offset());
-        let by_moments = Surface::from_moments(&moments.profile);
-        let by_moments = by_moments.map(gaussian).map_err(TopographyError::Moments);
-        let by_summits = self.summits().and_then(|found| {
-            // The mean plane offset of summits is measured.
-            Ok((found.surface()?, found.mean() - mean))
-        });
+        let by_moments = Surface::from_moments(&moments.profile).map_err(TopographyError::Moments);
+        let summits = self.summits();
+        let by_summits = summits.as_ref().map_err(|_| TopographyError::SummitsOfProfile);
+        let by_summits = by_summits.and_then(Summits::surface);
+        let disagree = match (&by_moments, &by_summits) {
+            (Ok(moments), Ok(summits)) => warning::estimators_disagree(moments, summits),
+            _ => None,
+        };
+        let measured = || Some(summits.as_ref().ok()?.mean() - mean);
         let (primary, other) = match estimator {
             Estimator::Moments => (by_moments, by_summits),
             Estimator::Summits => (by_summits, by_moments),
         };
-        let (surface, offset) = match primary {
-            Ok((surface, offset)) => (Ok(surface), Some(offset)),
-            Err(reason) => (Err(reason.to_string()), None),
-        };
-        let mut statistics = Statistics::new([ssk, sku], moments, estimator, surface);
-        statistics.mean_plane_offset = offset;
+        let primary = primary.map_err(|reason| reason.to_string());
+        let mut statistics = Statistics::new([ssk, sku], moments, estimator, primary);
+        if estimator == Estimator::Summits {
+            statistics.mean_plane_offset = statistics.mean_plane_offset.and_then(|_| measured());
+        }
         statistics.missing_share = self.missing_share() + self.filled_share();
         statistics.despiked = self.despiked_points();
         statistics.outliers = self.outliers();
-        let mut notes = self.notes().to_vec();
-        notes.extend(warning::filled(self.filled_share()));
+        let notes = self.notes().iter().cloned().chain(warning::filled(self.filled_share()));
         if let Some(found) = warning::outliers(&statistics.outliers) {
             let clean = self.clone().without_points(&statistics.outliers.points);
-            let anisotropic =
-                clean.moments().ok().and_then(|moments| warning::anisotropic(&moments));
+            let anisotropic = clean.moments().ok().and_then(|of| warning::anisotropic(&of));
             statistics.warnings = [Some(found), anisotropic].into_iter().flatten().collect();
             statistics.warnings.extend(notes);
             return Ok(statistics);
         }
-        statistics.warnings.extend(notes);
-        statistics.warnings.extend(self.sampling());
         // Without a warning for a profile: summits need 8 neighbours.
-        match (other, &statistics.asperities) {
-            (Ok((other, _)), Ok(primary)) => {
-                let disagree = match estimator {
-                    Estimator::Moments => warning::estimators_disagree(primary, &other),
-                    Estimator::Summits => warning::estimators_disagree(&other, primary),
-                };
-                statistics.warnings.extend(disagree);
-            }
-            (Err(TopographyError::SummitsOfProfile), _) | (_, Err(_)) => {}
-            (Err(error), Ok(_)) => statistics.warnings.push(warning::no_second_estimator(&error)),
-        }
+        let single = match (&statistics.asperities, other) {
+            (Ok(_), Err(error)) if !self.is_profile() => Some(warning::no_second_estimator(&error)),
+            _ => None,
+        };
+        statistics.warnings.extend(notes.chain(self.sampling()).chain(disagree).chain(single));
         Ok(statistics)
     }
 
@@ -145,10 +136,12 @@ impl Topography {
         if self.is_profile() {
             // Noise has 16 times the m4 at half the pixel size, a smooth profile the same.
             let m4 = |step| Some(self.at_distance(step).curvature_rows?.powi(2));
-            return warning::curvature_follows_sampling([m4(1)?, m4(2)?]);
+            let of = (Code::CurvatureFollowsSampling, "m4");
+            return warning::follows_sampling(of, [m4(1)?, m4(2)?], 4.0);
         }
         // Noise has 4 times the summits at half the pixel size, a smooth surface the same.
-        warning::summits_follow_sampling([self.summit_density(1)?, self.summit_density(2)?])
+        let densities = [self.summit_density(1)?, self.summit_density(2)?];
+        warning::follows_sampling((Code::SummitsFollowSampling, "summit_density"), densities, 2.0)
     }
 }
 

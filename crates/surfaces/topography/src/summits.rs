@@ -3,6 +3,7 @@
 use asperity_core::Surface;
 use serde::Serialize;
 
+use crate::error::refuse;
 use crate::{Topography, TopographyError};
 
 /// The least number of summits for a meaningful standard deviation.
@@ -25,12 +26,12 @@ impl Summits {
     /// curvature, and σ_z the standard deviation of their heights.
     ///
     /// # Errors
-    /// [`TopographyError::TooFew`] for fewer than 10 summits; [`TopographyError::Contact`] when
+    /// [`TopographyError::Content`] for fewer than 10 summits; [`TopographyError::Contact`] when
     /// their heights are all equal or their mean curvature is not positive.
     pub fn surface(&self) -> Result<Surface, TopographyError> {
         let found = self.heights.len();
         if found < FEWEST {
-            return Err(TopographyError::TooFew { what: "summits", found, required: FEWEST });
+            return Err(refuse("summits", found, format_args!("at least {FEWEST}")));
         }
         let n = found as f64;
         let mean = self.mean();
@@ -122,16 +123,6 @@ pub struct HeightDensity {
     pub density_per_m: Vec<f64>,
 }
 
-impl Topography {
-    /// The density of the summits' heights; see [`Summits::height_density`].
-    ///
-    /// # Errors
-    /// As [`Topography::summits`] and [`Summits::height_density`].
-    pub fn height_density(&self) -> Result<HeightDensity, TopographyError> {
-        self.summits()?.height_density()
-    }
-}
-
 impl Summits {
     /// The density of the summits' heights about their mean, as a frequency polygon: counts in
     /// bins of equal width, joined by lines from middle to middle. Its integral is 1, its mean 0
@@ -220,7 +211,7 @@ mod tests {
     #[test]
     fn few_summits_and_profiles_are_refused() {
         let few = egg_box(40, 2.0, 1.0).summits().unwrap().surface();
-        assert!(matches!(few, Err(TopographyError::TooFew { found: 4, required: 10, .. })));
+        assert_eq!(few.unwrap_err().to_string(), "summits: 4 was found, at least 10 was required");
         let profile = Topography::new(vec![0.0, 1.0, 0.0], 3, [1.0; 2]).unwrap();
         assert!(matches!(profile.summits(), Err(TopographyError::SummitsOfProfile)));
     }

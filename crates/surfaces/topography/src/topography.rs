@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use asperity_core::Finding;
 
-use crate::error::{at_most, out_of_range};
+use crate::error::{at_most, out_of_range, refuse};
 use crate::{LengthUnit, Outliers, TopographyError};
 
 /// The largest number of points of a surface: 2²⁷, 1 GiB of heights.
@@ -52,7 +52,8 @@ impl Topography {
         pixel_size: [f64; 2],
     ) -> Result<Self, TopographyError> {
         if heights.is_empty() || columns == 0 || !heights.len().is_multiple_of(columns) {
-            return Err(TopographyError::Shape { heights: heights.len(), columns });
+            let found = format!("{} in rows of {columns}", heights.len());
+            return Err(refuse("heights", found, "a whole number of rows, at least one,"));
         }
         at_most("the number of points", heights.len() as u64, MAX_POINTS as u64)?;
         for value in pixel_size {
@@ -61,13 +62,13 @@ impl Topography {
             }
         }
         if let Some(index) = heights.iter().position(|height| height.abs() > LARGEST) {
-            let (row, column) = (index / columns, index % columns);
-            return Err(TopographyError::Height { row, column, value: heights[index] });
+            let place = format!("row {}, column {} (from 0)", index / columns, index % columns);
+            let required = "a height of at most 1e9 m in size, or NaN for a missing point,";
+            return Err(refuse(place, format_args!("{:e} m", heights[index]), required));
         }
         let missing = heights.iter().filter(|height| height.is_nan()).count();
         if missing == heights.len() {
-            let what = "points with a height";
-            return Err(TopographyError::TooFew { what, found: 0, required: 1 });
+            return Err(refuse("points with a height", 0, "at least 1"));
         }
         let (columns, pixel_size) = match columns {
             1 => (heights.len(), [pixel_size[1]; 2]),
@@ -199,6 +200,12 @@ impl Topography {
     }
 }
 
+/// Rows as columns.
+pub(crate) fn transposed<T: Copy>(points: &[T], columns: usize) -> Vec<T> {
+    let rows = points.len() / columns;
+    (0..columns).flat_map(|x| (0..rows).map(move |y| points[y * columns + x])).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -209,13 +216,13 @@ mod tests {
         let message = |heights: Vec<f64>, columns, pixel_size| {
             Topography::new(heights, columns, pixel_size).unwrap_err().to_string()
         };
-        assert!(message(vec![], 1, one).starts_with("there are 0 heights"));
-        assert!(message(vec![0.0; 5], 2, one).starts_with("there are 5 heights"));
-        assert!(message(vec![0.0; 4], 0, one).starts_with("there are 4 heights"));
+        assert!(message(vec![], 1, one).starts_with("heights: 0 in"));
+        assert!(message(vec![0.0; 5], 2, one).starts_with("heights: 5 in rows of 2"));
+        assert!(message(vec![0.0; 4], 0, one).starts_with("heights: 4 in"));
         assert!(message(vec![0.0; 4], 2, [1.0, 0.0]).starts_with("pixel_size is 0.0"));
         assert!(message(vec![0.0; 4], 2, [f64::NAN, 1.0]).starts_with("pixel_size is NaN"));
         assert!(message(vec![0.0, f64::NEG_INFINITY], 2, one).contains("row 0, column 1"));
-        assert!(message(vec![f64::NAN; 4], 2, one).starts_with("there are 0 points"));
+        assert!(message(vec![f64::NAN; 4], 2, one).starts_with("points with a height: 0"));
     }
 
     #[test]

@@ -3,58 +3,42 @@
 use std::fmt;
 use std::str::FromStr;
 
-use serde::{Deserialize, Serialize};
+use asperity_core::units_of;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::TopographyError;
-use crate::error::{excerpt, parse_name};
+use crate::error::unknown_name;
 use crate::read::{quantities, unit_meaning};
 
 /// A unit of length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub enum LengthUnit {
-    /// m.
-    #[serde(rename = "m")]
-    Metre,
-    /// cm.
-    #[serde(rename = "cm")]
-    Centimetre,
-    /// mm.
-    #[serde(rename = "mm")]
-    Millimetre,
-    /// µm, written `um`; [`FromStr`] takes `µm`, `micron` and `microns` as well.
-    #[serde(rename = "um")]
-    Micrometre,
-    /// nm.
-    #[serde(rename = "nm")]
-    Nanometre,
-    /// Å, written `angstrom`; [`FromStr`] takes `A` and `Å` as well.
-    #[serde(rename = "angstrom")]
-    Angstrom,
-    /// pm.
-    #[serde(rename = "pm")]
-    Picometre,
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LengthUnit {
+    name: &'static str,
+    metres: f64,
 }
 
 impl LengthUnit {
+    /// m.
+    pub const METRE: Self = Self { name: "m", metres: 1.0 };
+
     /// One of this unit in metres.
     #[must_use]
     pub fn metres(self) -> f64 {
-        match self {
-            Self::Metre => 1.0,
-            Self::Centimetre => 1e-2,
-            Self::Millimetre => 1e-3,
-            Self::Micrometre => 1e-6,
-            Self::Nanometre => 1e-9,
-            Self::Angstrom => 1e-10,
-            Self::Picometre => 1e-12,
-        }
+        self.metres
     }
 }
 
 impl fmt::Display for LengthUnit {
     /// The name in ASCII.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.serialize(f)
+        f.pad(self.name)
+    }
+}
+
+impl Serialize for LengthUnit {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name)
     }
 }
 
@@ -62,8 +46,18 @@ impl FromStr for LengthUnit {
     type Err = TopographyError;
 
     /// The unit of a symbol or a name, as files have them: `µm`, `"Micrometer"`, `microns.`.
-    fn from_str(name: &str) -> Result<Self, TopographyError> {
-        parse_name("unit", unit_meaning(name).unwrap_or(name))
+    fn from_str(text: &str) -> Result<Self, TopographyError> {
+        let known = unit_meaning(text);
+        let found = units_of("m").into_iter().find(|(name, _)| known == Some(name));
+        found
+            .map(|(name, metres)| Self { name, metres })
+            .ok_or_else(|| unknown_name("unit", text, "m, cm, mm, um, nm, angstrom or pm"))
+    }
+}
+
+impl<'de> Deserialize<'de> for LengthUnit {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        String::deserialize(deserializer)?.parse().map_err(D::Error::custom)
     }
 }
 
@@ -98,14 +92,14 @@ impl TryFrom<Given> for Distance {
 impl Distance {
     /// A length in m.
     pub(crate) fn metre(value: f64) -> Self {
-        Self { value, unit: Some(LengthUnit::Metre) }
+        Self { value, unit: Some(LengthUnit::METRE) }
     }
 
     /// The number in this unit; heights are in it if the distance has no unit of its own.
     #[must_use]
     pub fn in_unit(self, unit: LengthUnit) -> f64 {
         match self.unit {
-            Some(own) if own != unit => self.value * own.metres() / unit.metres(),
+            Some(own) if own != unit => self.value * own.metres / unit.metres,
             _ => self.value,
         }
     }
@@ -137,11 +131,10 @@ impl FromStr for Distance {
             (&[value], Ok(unit)) if value > 0.0 && value.is_finite() && !text.contains(',') => {
                 Ok(Self { value, unit })
             }
-            _ => Err(TopographyError::UnknownName {
-                field: "pixel_size",
-                found: excerpt(text.trim()),
-                names: "a length above 0 in the unit of the heights, or with a unit (10 nm)".into(),
-            }),
+            _ => {
+                let names = "a length above 0 in the unit of the heights, or with a unit (10 nm)";
+                Err(unknown_name("pixel_size", text, names))
+            }
         }
     }
 }
@@ -153,22 +146,29 @@ mod tests {
     #[test]
     fn common_spellings_of_units_are_read() {
         for name in ["um", "µm", "μm", " um ", "microns"] {
-            assert_eq!(name.parse::<LengthUnit>().unwrap(), LengthUnit::Micrometre);
+            let unit: LengthUnit = name.parse().unwrap();
+            assert_eq!(
+                (unit.to_string().as_str(), unit.metres().to_bits()),
+                ("um", 1e-6f64.to_bits())
+            );
+        }
+        for (name, metres) in [("angstrom", 1e-10_f64), ("Å", 1e-10), ("pm", 1e-12), ("cm", 1e-2)]
+        {
+            assert_eq!(name.parse::<LengthUnit>().unwrap().metres().to_bits(), metres.to_bits());
         }
         let refused = "furlong".parse::<LengthUnit>();
         assert!(
             matches!(refused, Err(TopographyError::UnknownName { field: "unit", .. })),
             "{refused:?}"
         );
-        let json = serde_json::to_string(&LengthUnit::Nanometre).unwrap();
-        assert_eq!(json, "\"nm\"");
-        assert_eq!(serde_json::from_str::<LengthUnit>("\"um\"").unwrap(), LengthUnit::Micrometre);
+        let unit: LengthUnit = serde_json::from_str("\"nm\"").unwrap();
+        assert_eq!(serde_json::to_string(&unit).unwrap(), "\"nm\"");
     }
 
     #[test]
     fn distances_have_the_unit_of_the_heights_or_their_own() {
         let of = |text: &str| text.parse::<Distance>().unwrap();
-        let nm = LengthUnit::Nanometre;
+        let nm: LengthUnit = "nm".parse().unwrap();
         assert_eq!(of("0.5").in_unit(nm).to_bits(), 0.5f64.to_bits());
         for text in ["0.5um", " 0.5 um", "5e-7 m", "500 nm", "0.5 \u{b5}m"] {
             assert!((of(text).in_unit(nm) / 500.0 - 1.0).abs() < 1e-14, "{text}");

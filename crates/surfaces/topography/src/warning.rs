@@ -2,16 +2,15 @@
 
 use asperity_core::{Advice, Code, Finding, Surface};
 
-use crate::outliers::MATTERS;
-use crate::{Level, Moments, Outliers, Texture, TopographyError};
+use crate::despike::MATTERS;
+use crate::{Level, Moments, Outliers, Statistics, Texture, TopographyError};
 
 /// Factor above which two parameters disagree.
 const APART: f64 = 2.0;
-/// Largest accepted decrease of the summit density at half the resolution: white noise has 4.
-const SUMMITS: f64 = 2.0;
-/// Largest accepted decrease of m₄ of a profile at half the resolution: white noise has 16.
-const CURVATURE: f64 = 4.0;
-
+/// Range of rms slopes of scans, from polished to blasted surfaces.
+const SLOPE: [f64; 2] = [5e-4, 1.0];
+/// Kurtosis above which a few points dominate: exponential heights have 9, honed ones up to 20.
+const FAT: f64 = 30.0;
 const ROUGH: &str =
     "form and waviness increase Sq, noise increases eta; use level quadratic, filter or smooth";
 const SMOOTH: &str = "the scan is smoothed, too coarse for the asperities, or of a regular surface; use a smaller pixel size";
@@ -56,26 +55,20 @@ pub(crate) fn no_second_estimator(reason: &TopographyError) -> Finding {
         .advice(reason.to_string())
 }
 
-/// A warning if the pixel size determines the number of summits per area \[1/m²\], of all points
-/// and of every second one.
-pub(crate) fn summits_follow_sampling([fine, coarse]: [f64; 2]) -> Option<Finding> {
-    let found = Finding::warning(Code::SummitsFollowSampling, "summit_density", fine);
-    follows_sampling(found, "summit density", [fine, coarse], SUMMITS)
-}
-
-/// A warning if the pixel size determines m₄ \[1/m²\] of a profile, of all points and of every
-/// second one.
-pub(crate) fn curvature_follows_sampling([fine, coarse]: [f64; 2]) -> Option<Finding> {
-    let found = Finding::warning(Code::CurvatureFollowsSampling, "m4", fine);
-    follows_sampling(found, "m4", [fine, coarse], CURVATURE)
-}
-
-fn follows_sampling(found: Finding, of: &str, values: [f64; 2], most: f64) -> Option<Finding> {
-    let [fine, coarse] = values;
-    let found = found
+/// A warning if the pixel size determines a number \[1/m²\] by more than a factor, from its value
+/// for all points and for every second one.
+pub(crate) fn follows_sampling(
+    (code, of): (Code, &'static str),
+    [fine, coarse]: [f64; 2],
+    most: f64,
+) -> Option<Finding> {
+    let found = Finding::warning(code, of, fine)
         .usual([0.0, most * coarse])
         .unit("1/m2")
-        .fact(format!("{of} is {fine:.4e} 1/m2, and {coarse:.4e} at half the resolution"))
+        .fact(format!(
+            "{} is {fine:.4e} 1/m2, and {coarse:.4e} at half the resolution",
+            of.replace('_', " ")
+        ))
         .advice(
             "the result depends on the pixel size; smooth the scan, or use a pixel size suited to the contact",
         );
@@ -144,6 +137,30 @@ impl Level {
             .fact(format!("level {self} of a periodic surface makes its edges differ"))
             .advice("slopes and curvatures at the edges are wrong; use level mean");
         (periodic && matches!(self, Self::Plane | Self::Quadratic)).then_some(found)
+    }
+}
+
+impl Statistics {
+    /// An unusual rms slope of a scan with this pixel size \[m\], most often by a wrong unit.
+    #[must_use]
+    pub fn unusual_slope(&self, pixel_size: f64) -> Option<Finding> {
+        let slope = (2.0 * self.m2).sqrt();
+        let found = Finding::warning(Code::UnusualSize, "measured_slope", slope)
+            .implausible(slope > SLOPE[1])
+            .usual(SLOPE)
+            .advice(format!("check unit and pixel_size ({pixel_size:e} m)"));
+        (!(SLOPE[0]..=SLOPE[1]).contains(&slope)).then_some(found)
+    }
+
+    /// A kurtosis that a few points far from the others make, where these are no outliers of
+    /// single points.
+    #[must_use]
+    pub fn unusual_kurtosis(&self) -> Option<Finding> {
+        let found = Finding::warning(Code::NotGaussian, "sku", self.sku).usual([0.0, FAT]);
+        let found = found.advice(
+            "a few points far from the others dominate sq and sku, in groups that despike leaves as features; mark them as missing in the file",
+        );
+        (self.sku > FAT && !self.outliers.matter()).then_some(found)
     }
 }
 

@@ -71,7 +71,7 @@ mod tests {
             let surface = Topography::new(heights.clone(), columns, pixel).unwrap();
             let bytes = surface.x3p().unwrap();
             assert_eq!(bytes, surface.x3p().unwrap());
-            let options = ReadOptions { max_missing: 0.5, ..ReadOptions::default() };
+            let options = ReadOptions { max_missing: Some(0.5), ..ReadOptions::default() };
             let read = read_bytes("s.x3p", &bytes, &options).unwrap();
             assert_eq!((read.columns(), read.pixel_size()), (columns, pixel));
             for (found, wanted) in read.heights().iter().zip(surface.heights()) {

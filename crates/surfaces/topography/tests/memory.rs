@@ -47,7 +47,7 @@ fn bombs_are_refused_in_little_memory() {
     }
     let before = memory("VmHWM");
     for (name, bytes) in &bombs {
-        let options = ReadOptions { max_missing: 1.0, ..ReadOptions::default() };
+        let options = ReadOptions { max_missing: Some(1.0), ..ReadOptions::default() };
         let error = read_bytes(name, bytes, &options).unwrap_err().to_string();
         assert!(error.contains("required") || error.contains("damaged"), "{error}");
     }

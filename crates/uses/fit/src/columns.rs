@@ -2,7 +2,7 @@
 
 use asperity_core::{At, Datum, Quantity, Separation};
 
-use crate::names::unknown_column;
+use crate::names::{unknown_column, with_unit};
 use crate::observation::{CLOSURE, LOAD, PRESSURE, Position, SEPARATION, STD};
 use crate::{FitError, Measured, MeasuredTable, Observation};
 
@@ -18,15 +18,16 @@ pub fn is_column(name: &str) -> bool {
     let name = name.trim();
     // A column in another unit, or a mistyped one, is meant for the fit as well.
     let is_meant =
-        |name: &str| !matches!(check(name), Err(FitError::UnknownColumn { near: None, .. }));
+        |name: &str| !matches!(in_si(name), Err(FitError::UnknownColumn { near: None, .. }));
     IGNORED.contains(&name) || is_meant(name) || name.strip_suffix(STD).is_some_and(is_meant)
 }
 
-/// Refuses a name that is no column of a fit.
-fn check(name: &str) -> Result<(), FitError> {
+/// The column of a fit that is meant by a name, which may have another unit, and the size of that
+/// unit: `load_N` and 1000 for `Load [kN]`.
+fn in_si(name: &str) -> Result<(String, f64), FitError> {
     match PLACES.contains(&name) || quantity(name).is_some() {
-        true => Ok(()),
-        false => Err(unknown_column(name)),
+        true => Ok((name.to_string(), 1.0)),
+        false => with_unit(name).ok_or_else(|| unknown_column(name)),
     }
 }
 
@@ -39,7 +40,8 @@ fn quantity(name: &str) -> Option<Quantity> {
 pub(crate) struct Columns<'c> {
     pub(crate) rows: usize,
     lines: &'c [usize],
-    columns: Vec<(&'c str, &'c [Option<f64>])>,
+    /// In SI units.
+    columns: Vec<(String, Vec<Option<f64>>)>,
 }
 
 impl<'c> Columns<'c> {
@@ -51,21 +53,27 @@ impl<'c> Columns<'c> {
         let mut found = Self { rows, lines, columns: vec![] };
         for (place, (name, values)) in columns.iter().enumerate() {
             let name = name.trim();
-            if columns[..place].iter().any(|(other, _)| other.trim() == name) {
-                return refused(name, "the column is given twice".into());
-            }
             if values.len() != rows {
                 let found = plural(values.len(), "value");
                 return Err(FitError::Data(format!(
                     "{name} has {found}: {rows} were required, as in the other columns"
                 )));
             }
-            if !IGNORED.contains(&name) {
-                match name.strip_suffix(STD) {
-                    None => check(name)?,
-                    Some(of) => check(of).map_err(|error| of_deviation(error, name))?,
-                }
-                found.columns.push((name, values));
+            let is_ignored = IGNORED.contains(&name);
+            let (column, unit) = match name.strip_suffix(STD) {
+                _ if is_ignored => (name.to_string(), 1.0),
+                None => in_si(name)?,
+                Some(of) => in_si(of)
+                    .map(|(column, unit)| (column + STD, unit))
+                    .map_err(|error| of_deviation(error, name))?,
+            };
+            let is_twice = columns[..place].iter().any(|(other, _)| other.trim() == name);
+            if is_twice || found.has(&column) {
+                return refused(name, "the column is given twice".into());
+            }
+            if !is_ignored {
+                let values = values.iter().map(|value| value.map(|value| value * unit));
+                found.columns.push((column, values.collect()));
             }
         }
         let has = |name: &str| found.has(name);
@@ -84,8 +92,8 @@ impl<'c> Columns<'c> {
                 "the data have no load or separation: a column {LOAD}, {PRESSURE}, {SEPARATION} or {CLOSURE} was required{renamed}"
             )));
         }
-        let is_alone = |name: &&str| name.strip_suffix(STD).is_some_and(|of| !has(of));
-        match found.columns.iter().map(|(name, _)| *name).find(is_alone) {
+        let is_alone = |name: &&String| name.strip_suffix(STD).is_some_and(|of| !has(of));
+        match found.columns.iter().map(|(name, _)| name).find(is_alone) {
             Some(name) => refused(name, "the column of its values is missing".into()),
             None => Ok(found),
         }
@@ -139,7 +147,7 @@ impl<'c> Columns<'c> {
         let reading = |value| At::from(Separation { from, ..Separation::metres(value) });
         let at = load.map(under).or(separation.map(reading));
         let new = |at, measured, value, std| Observation { row: row + 1, at, measured, value, std };
-        let quantities = self.columns.iter().filter(|(column, _)| !PLACES.contains(column));
+        let quantities = self.columns.iter().filter(|(column, _)| !PLACES.contains(&&**column));
         for (column, quantity) in quantities.filter_map(|(name, _)| Some((name, quantity(name)?))) {
             let Some(value) = self.number(column, row)? else { continue };
             let std = self.std(column, row)?;
@@ -200,4 +208,32 @@ fn of_deviation(error: FitError, given: &str) -> FitError {
 /// A number of things: `1 value`, `2 values`.
 pub(crate) fn plural(count: usize, thing: &str) -> String {
     format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Data;
+
+    fn data(names: [&str; 4], numbers: [f64; 4]) -> Result<Data, FitError> {
+        let columns = names.iter().zip(numbers);
+        let columns = columns.map(|(name, number)| ((*name).to_owned(), vec![Some(number)]));
+        let table = MeasuredTable { columns: columns.collect(), lines: vec![] };
+        Data::from_table(&table, Datum::AsperityMean)
+    }
+
+    #[test]
+    fn columns_have_si_units_or_those_of_their_names() {
+        let si = ["load_N", "area_m2", "area_m2_std", "model"];
+        let others = ["Load [kN]", "A (cm2)", "area_cm2_std", "model"];
+        let (plain, found) =
+            (data(si, [2e3, 3.0, 0.25, 1.0]), data(others, [2.0, 3e4, 2.5e3, 1.0]));
+        assert_eq!(found.unwrap(), plain.unwrap());
+        let twice = ["load_N", "Load [kN]", "area_m2", "area_m2_std"];
+        assert!(data(twice, [1.0; 4]).unwrap_err().to_string().contains("given twice"));
+        for name in ["k (GPa/um)", "stiffness [N/um]"] {
+            let refused = data(["load_N", "separation_m", "area_m2", name], [1.0; 4]);
+            assert!(matches!(refused, Err(FitError::Column { .. })), "{refused:?}");
+        }
+    }
 }

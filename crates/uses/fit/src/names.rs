@@ -1,4 +1,4 @@
-//! Headers of measurements that name no column of a fit: other names, units and displacements.
+//! Headers of measurements: names of columns with units, and what is meant by other names.
 
 use asperity_core::{Quantity, nearest_name, plain_unit, short, units_of};
 
@@ -44,9 +44,13 @@ struct Known {
 
 /// All columns of places and quantities.
 fn known_columns() -> Vec<Known> {
-    let places =
-        [(LOAD, "load", "N"), (PRESSURE, "pressure", "Pa"), (SEPARATION, "separation", "m")]
-            .map(|(column, quantity, si)| (column.to_string(), quantity.to_string(), si));
+    let places = [
+        (LOAD, "load", "N"),
+        (PRESSURE, "pressure", "Pa"),
+        (SEPARATION, "separation", "m"),
+        (CLOSURE, "closure", "m"),
+    ]
+    .map(|(column, quantity, si)| (column.to_string(), quantity.to_string(), si));
     // Pressure is a place and a quantity; no model of a fit has quantities of one model.
     let is_own = |quantity: &Quantity| *quantity != Quantity::Pressure && quantity.is_of_models();
     let quantities = Quantity::ALL.into_iter().filter(is_own);
@@ -65,19 +69,21 @@ pub(crate) fn unknown_column(name: &str) -> FitError {
             "a displacement grows where the separation falls: name the column {CLOSURE}, with values in m"
         ));
     }
-    let named = with_unit(&name, &known);
-    match &named {
-        Some(named) if named.column == Quantity::Stiffness.column() => {
-            return column(which_stiffness(named.factor));
+    let of_area = |(before, unit): &(&str, String)| {
+        usual_name(before, true).as_deref() == Some(STIFFNESS) && unit.contains("Pa/")
+    };
+    if readings(&name).iter().any(of_area) {
+        return column(which_stiffness(
+            ", and multiply its values, in N/m per m2, by the nominal area",
+        ));
+    }
+    match named(&name, &known) {
+        Some((_, factor)) if is_other(factor) => {
+            let multiply = format!(", and multiply its values by {}", short(factor));
+            return column(which_stiffness(&multiply));
         }
-        None if usual == STIFFNESS => return column(which_stiffness(1.0)),
-        Some(Named { column, unit, factor }) if is_other(*factor) => {
-            let factor = short(*factor);
-            return FitError::Data(format!(
-                "column {name:?} is in {unit}: name it {column} and multiply its values by {factor}"
-            ));
-        }
-        _ => {}
+        None if usual != STIFFNESS => {}
+        _ => return column(which_stiffness("")),
     }
     if let Some(column) = per_area(&name, &known) {
         return FitError::Data(format!(
@@ -89,10 +95,8 @@ pub(crate) fn unknown_column(name: &str) -> FitError {
         let begin = format!("{usual}{behind}");
         columns().find(|column| usual.len() > 2 && column.starts_with(&begin))
     };
-    // Its own unit, written in another way; a name without its unit is nearest to the column that
-    // it begins.
-    let near = named.map(|named| named.column).or_else(|| begun("_"));
-    let near = near.or_else(|| nearest_name(&name, columns())).or_else(|| begun(""));
+    // A name without its unit is nearest to the column that it begins.
+    let near = begun("_").or_else(|| nearest_name(&name, columns())).or_else(|| begun(""));
     let (near, known) = (near.map(Into::into), columns().collect::<Vec<_>>().join(", "));
     FitError::UnknownColumn { near, known, name }
 }
@@ -101,27 +105,14 @@ fn is_other(factor: f64) -> bool {
     (factor - 1.0).abs() > f64::EPSILON
 }
 
-/// The names of a stiffness in N/m times `factor`, of which a header does not say the kind.
-fn which_stiffness(factor: f64) -> String {
+/// The names of a stiffness of which a header does not say the kind, and how to `multiply` it.
+fn which_stiffness(multiply: &str) -> String {
     let [unloading, tangent, tangential] =
         [Quantity::UnloadingStiffness, Quantity::Tangent, Quantity::TangentialStiffness]
             .map(Quantity::column);
-    let multiply = match is_other(factor) {
-        true => format!(", and multiply its values by {}", short(factor)),
-        false => String::new(),
-    };
     format!(
         "the name does not say which stiffness was measured: name the column {unloading} (small vibrations, ultrasound, start of unloading), {tangent} (first loading) or {tangential} (shear){multiply}"
     )
-}
-
-/// A known column with the unit in which a header has it.
-#[derive(Debug)]
-struct Named<'k> {
-    column: &'k str,
-    unit: &'static str,
-    /// The unit in SI units.
-    factor: f64,
 }
 
 /// A unit in a name as it is compared: N/um for `N_per_um`.
@@ -144,17 +135,32 @@ fn readings(name: &str) -> Vec<(&str, String)> {
     .collect()
 }
 
-/// The known column that `name` is with a unit: `load_N` for `load_kN`, `F [kN]` and `F/kN`.
-fn with_unit<'k>(name: &str, known: &'k [Known]) -> Option<Named<'k>> {
+/// The column that a name is with another unit, and the size of that unit: `load_N` and 1000 for
+/// `load_kN`, `F [kN]` and `F/kN`; none for a stiffness of which the kind is not said.
+pub(crate) fn with_unit(name: &str) -> Option<(String, f64)> {
+    let known = known_columns();
+    let (column, factor) = named(name, &known)?;
+    (column != Quantity::Stiffness.column()).then(|| (column.to_string(), factor))
+}
+
+/// Whether a text is a unit of a column, as `[kN]`.
+#[must_use]
+pub fn is_unit(text: &str) -> bool {
+    let is =
+        |si: &str| units_of(si).iter().any(|(unit, _)| unit_in_name(unit) == unit_in_name(text));
+    known_columns().iter().any(|known| is(&known.si))
+}
+
+/// The known column that `name` is with a unit, and the unit in SI units.
+fn named<'k>(name: &str, known: &'k [Known]) -> Option<(&'k str, f64)> {
     readings(name).into_iter().find_map(|(before, unit)| {
         let usual = usual_name(before, true)?;
         known.iter().find_map(|Known { column, quantity, si }| {
             let is_share = unit == "%" && quantity.strip_suffix("_fraction") == Some(&*usual);
             let units = units_of(si).into_iter().filter(|_| *quantity == usual || is_share);
             // W/(m2 K) is W/m2/K; scenes have both.
-            let (unit, factor) =
-                units.into_iter().find(|(known, _)| unit_in_name(known) == unit)?;
-            Some(Named { column, unit, factor })
+            let (_, factor) = units.into_iter().find(|(known, _)| unit_in_name(known) == unit)?;
+            Some((column.as_str(), factor))
         })
     })
 }
@@ -219,12 +225,12 @@ mod tests {
             ("area_fraction_percent", ("area_fraction", 0.01)),
             ("electrical_conductance_kS", ("electrical_conductance_S", 1e3)),
         ] {
-            let found = with_unit(name, &known).map(|other| (other.column, other.factor));
+            let found = named(name, &known);
             let near = found.filter(|found| (found.1 / wanted.1 - 1.0).abs() < 1e-12);
             assert!(near.is_some_and(|found| found.0 == wanted.0), "{name}: {found:?}");
         }
         for name in ["load", "load_stone", "a_b", "f", "[N]", "_", "comment"] {
-            let found = with_unit(name, &known).map(|other| (other.column, other.factor));
+            let found = named(name, &known);
             assert_eq!(found, None, "{name}");
         }
     }

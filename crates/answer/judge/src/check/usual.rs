@@ -8,7 +8,7 @@ use asperity_core::{
 pub(super) const CHECK_UNIT: &str = "check the number and its unit";
 
 /// Units that explain no number.
-const RARE: [&str; 3] = ["bar", "cm", "kPa"];
+const RARE: [&str; 4] = ["bar", "cm", "kPa", "pm"];
 
 /// Numbers of a scene by their keys: the usual range, a typical value, and the SI unit.
 type Usual = (&'static [&'static str], [f64; 2], f64, &'static str);

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, anyhow};
 use asperity::{Code, Findings};
 use asperity_answer::{Cell, Sheet};
-use asperity_plot::draw_surface;
+use asperity_plot::{draw_material_ratio, draw_surface};
 use asperity_scene::MeasuredKeys;
 use asperity_topography::{
     Alignment, Distance, Estimator, Glance, HeaderLine, LengthUnit, Level, ReadOptions, Reported,
@@ -24,7 +24,7 @@ use crate::input::numbers::{length, share};
 use crate::output::table::Format;
 use crate::output::{self, progress};
 
-const PLOT: &str = "Plot the scan: map, histogram, spectra, slope and curvature against scale; with --scales, its table";
+const PLOT: &str = "Plot the scan: map, histogram, spectra, slope and curvature against scale; with --report, the material ratio curve; with --scales, its table";
 
 /// Measure a scan: roughness, spectral moments and asperities; optionally write a scene of it
 #[derive(Debug, Args)]
@@ -81,6 +81,10 @@ pub struct Surface {
     #[arg(long, value_name = "HOW", num_args = 0..=1, require_equals = true)]
     #[arg(default_missing_value = "as-read")]
     aligned: Option<Alignment>,
+    /// Functional parameters by the material ratio curve instead: Sk, Spk, Svk, Smr1, Smr2, Vmp,
+    /// Vmc, Vvc, Vvv; of a profile Rk, Rpk, Rvk, Rmr1, Rmr2, Rz, RSm, Rdq
+    #[arg(long, conflicts_with = "scales")]
+    report: bool,
     #[command(flatten)]
     output: DrawnArgs,
     /// Write a scene that reads the files in the same way; its materials are examples, replace
@@ -151,6 +155,7 @@ impl Surface {
         }
         let (mut each, mut found) = (vec![], Findings::default());
         let (mut density, mut glance, mut picture) = (None, None, None);
+        let mut functional = vec![];
         let scans = self.scans(&keys)?;
         for (name, raw, surface) in &scans {
             let of = || name.clone();
@@ -158,13 +163,14 @@ impl Surface {
             let seam = asperity_scene::open_seam(surface).into_iter();
             let [dx, dy] = surface.pixel_size();
             let slope = statistics.unusual_slope(dx.max(dy));
-            let size = slope.or_else(|| statistics.unusual_height());
+            let size = slope.or_else(|| asperity::unusual("sq", statistics.sq));
             let size = size.into_iter().chain(statistics.unusual_kurtosis());
             let of_scan = seam.chain(size).chain(statistics.warnings.iter().cloned());
             found.extend(of_scan.map(|found| found.from_origin(of())));
             each.push(statistics);
             if self.heights.is_some() {
-                density = Some(surface.height_density().with_context(of)?);
+                let found = surface.summits().and_then(|summits| summits.height_density());
+                density = Some(found.with_context(of)?);
             }
             if scans.len() == 1 {
                 let level = self.level.unwrap_or(Level::usual(self.periodic));
@@ -172,8 +178,13 @@ impl Surface {
                 let found = Glance::new(raw, level, cutoffs, surface).with_context(of)?;
                 picture = self.output.picture(|| {
                     let title = self.names(|path| path.file_name().unwrap_or_default());
-                    Ok(draw_surface(surface, &found, Some(&title))?)
+                    if !self.report {
+                        return Ok(draw_surface(surface, &found, Some(&title))?);
+                    }
+                    let curve = surface.material_ratio()?;
+                    Ok(draw_material_ratio(&curve, surface.is_profile(), &title)?)
                 })?;
+                functional = surface.functional().with_context(of)?;
                 glance = Some(found);
             }
         }
@@ -198,7 +209,7 @@ impl Surface {
             output::note(Code::ExampleValues, format!("{}: {text}", path.display()));
         }
         let output = &self.output.output;
-        if output.format() == Format::Json {
+        if output.format() == Format::Json && !self.report {
             let all = Report { statistics, glance };
             let text = serde_json::to_string_pretty(&all)? + "\n";
             return self.output.write_beside(picture, || output.write_text(&text));
@@ -207,7 +218,8 @@ impl Surface {
         let row = |Reported { name, value, unit, meaning }| {
             vec![name.into(), Cell::from(value), unit.into(), meaning.as_ref().into()]
         };
-        table.rows = report(statistics, glance.as_ref()).into_iter().map(row).collect();
+        let rows = if self.report { functional } else { report(statistics, glance.as_ref()) };
+        table.rows = rows.into_iter().map(row).collect();
         self.output.write_beside(picture, || output.write(&table))
     }
 
@@ -239,6 +251,7 @@ impl Surface {
             (self.aligned.is_some() && !two, "--aligned takes two FILEs"),
             (self.heights.is_some() && separate, of_heights),
             (self.scales.is_requested() && two, "--scales takes one FILE"),
+            (self.report && separate, "--report takes one FILE or --aligned"),
             (self.output.plot.is_some() && separate, "--plot takes one FILE or --aligned"),
             (nothing_left, "choose --smooth below --filter, which keeps some wavelengths"),
         ];
@@ -259,7 +272,7 @@ impl Surface {
         let options = ReadOptions {
             unit,
             pixel_size,
-            max_missing,
+            max_missing: Some(max_missing),
             channel,
             units: text.units,
             columns: text.columns,
@@ -314,7 +327,7 @@ impl Surface {
         };
         let heights = self.heights.as_deref().map(|file| beside(path, file)).transpose()?;
         let heights = heights.map(|file| toml::Table::from_iter([("file".into(), file.into())]));
-        let usual = ReadOptions::default().max_missing;
+        let usual = ReadOptions::MAX_MISSING;
         let max_missing = Some(self.max_missing).filter(|share| share.total_cmp(&usual).is_ne());
         let texts = |units: &[LengthUnit]| {
             Value::from(units.iter().map(LengthUnit::to_string).collect::<Vec<_>>())

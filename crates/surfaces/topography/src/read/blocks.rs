@@ -4,11 +4,11 @@ use super::header::is_known;
 use super::lines::{COMMENT, Delimiter, text, value};
 use super::scan::ReadOptions;
 use super::words::meanings;
-use crate::error::{at_most, refuse_line};
+use crate::error::{at_most, excerpt, refuse, refuse_line, undecided};
 use crate::{MAX_POINTS, TopographyError};
 
 /// Header lines, and rows of numbers; NaN for missing values.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Block {
     /// Lines before the first row, with their numbers.
     pub(super) header: Vec<(usize, String)>,
@@ -76,6 +76,9 @@ pub(super) fn blocks(bytes: &[u8], options: &ReadOptions) -> Result<Vec<Block>, 
                 }
             },
             None if detect(line).is_row(line) => {
+                if options.delimiter.is_none() && Delimiter::has_two_commas(line) {
+                    return Err(two_commas(number, line));
+                }
                 let mut block = Block::new(line, detect(line), bytes.len());
                 (block.header, block.line) = (std::mem::take(&mut header), number);
                 block.add(number, line, false)?;
@@ -106,6 +109,12 @@ pub(super) fn blocks(bytes: &[u8], options: &ReadOptions) -> Result<Vec<Block>, 
     Ok(blocks)
 }
 
+/// A line with commas within and between its numbers.
+fn two_commas(number: usize, line: &[u8]) -> TopographyError {
+    let choices = "\",\" if commas only separate numbers, \" \" if they are decimal marks as well";
+    undecided(format!("line {number}"), excerpt(&text(line)), "delimiter", choices)
+}
+
 impl Block {
     /// No rows, with the number of columns of the first row.
     fn new(line: &[u8], delimiter: Delimiter, bytes: usize) -> Self {
@@ -114,19 +123,7 @@ impl Block {
         // Capacity for rows as long as the first; no row has more fields than bytes.
         let expected = (bytes / (line.len() + 1) + 1) * columns;
         let values = Vec::with_capacity(expected.min(MAX_POINTS));
-        let closed = open.is_some();
-        let (header, gaps) = (vec![], vec![]);
-        Self {
-            header,
-            values,
-            columns,
-            delimiter,
-            line: 0,
-            ragged: None,
-            gaps,
-            closed,
-            decimal: None,
-        }
+        Self { values, columns, delimiter, closed: open.is_some(), ..Self::default() }
     }
 
     pub(super) fn rows(&self) -> usize {
@@ -152,14 +149,9 @@ impl Block {
         for field in self.delimiter.fields(line) {
             let Some(value) = value(field, comma) else {
                 self.values.truncate(start);
-                return Err(refuse_line(
-                    number,
-                    &text(field),
-                    match comma {
-                        true => "a finite number, or nan,",
-                        false => "a finite number with a decimal point, or nan,",
-                    },
-                ));
+                let point = if comma { "" } else { " with a decimal point" };
+                let required = format!("a finite number{point}, or nan,");
+                return Err(refuse_line(number, &text(field), &required));
             };
             self.values.push(value);
         }
@@ -171,7 +163,11 @@ impl Block {
         }
         let (found, required) = (self.values.len() - start, self.columns);
         if found != required && self.ragged.is_none() {
-            self.ragged = Some(TopographyError::RowLength { line: number, found, required });
+            let required = format!("a row of {required}, as the first,");
+            self.ragged = Some(match Delimiter::has_two_commas(line) && !comma {
+                true => two_commas(number, line),
+                false => refuse(format!("line {number}"), format!("a row of {found}"), required),
+            });
         }
         if blank {
             self.gaps.push((start / self.columns, number));
@@ -190,13 +186,10 @@ impl Block {
         }
         let lines = std::iter::once(self.line).chain(self.gaps.iter().map(|(_, line)| *line));
         let tables = self.values.chunks(size * self.columns).zip(lines);
-        let part = |(values, line): (&[f64], usize)| Self {
-            header: self.header.clone(),
-            values: values.to_vec(),
-            line,
-            ragged: None,
-            gaps: vec![],
-            ..self
+        let Self { columns, delimiter, .. } = self;
+        let part = |(values, line): (&[f64], usize)| {
+            let (header, values) = (self.header.clone(), values.to_vec());
+            Self { header, values, columns, delimiter, line, ..Self::default() }
         };
         tables.map(part).collect()
     }

@@ -8,7 +8,6 @@ use crate::TopographyError;
 pub(super) enum Format {
     Gwy,
     Npy,
-    Npz,
     Sdf,
     Sur,
     Text,
@@ -21,7 +20,8 @@ struct Foreign {
     kind: &'static str,
     mark: Vec<u8>,
     name: &'static str,
-    converter: Option<&'static str>,
+    /// How a program converts it, if one does.
+    advice: &'static str,
 }
 
 fn formats() -> impl Iterator<Item = Foreign> {
@@ -29,37 +29,30 @@ fn formats() -> impl Iterator<Item = Foreign> {
     rows.filter_map(|row| {
         let cells: Vec<_> = row.split(';').collect();
         let [kind, mark, name, converter] = cells[..] else { return None };
-        let converter = Some(converter).filter(|converter| !converter.is_empty());
-        Some(Foreign { kind, mark: unescaped(mark), name, converter })
+        let advice = match converter {
+            "SurfaceTopography" => SURFACE_TOPOGRAPHY,
+            "numpy" => "; numpy.save(\"scan.npy\", numpy.load(\"FILE\")[name]) writes one of them",
+            "Gwyddion" => "; Gwyddion reads it and saves it as .gwy",
+            _ => "",
+        };
+        Some(Foreign { kind, mark: bytes(mark), name, advice })
     })
 }
 
-/// The bytes of a mark with `\\xff`, `\\r`, `\\n` and `\\\\`.
-fn unescaped(mark: &str) -> Vec<u8> {
-    let (mut bytes, mut rest) = (vec![], mark.as_bytes());
-    while let [first, tail @ ..] = rest {
-        let (byte, length) = match (first, tail) {
-            (b'\\', [b'x', digits @ ..]) => {
-                let digits = digits.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
-                (digits.and_then(|digits| u8::from_str_radix(digits, 16).ok()).unwrap_or(0), 4)
-            }
-            (b'\\', [b'r', ..]) => (b'\r', 2),
-            (b'\\', [b'n', ..]) => (b'\n', 2),
-            (b'\\', [other, ..]) => (*other, 2),
-            (byte, _) => (*byte, 1),
-        };
-        bytes.push(byte);
-        rest = rest.get(length..).unwrap_or_default();
-    }
-    bytes
+const SURFACE_TOPOGRAPHY: &str = "; SurfaceTopography (PyPI) converts it: python3 -c \"import SurfaceTopography as s; s.read_topography('FILE').to_gwy('FILE.gwy')\"";
+
+/// The bytes of a mark, as text or, after `0x`, in hexadecimal digits.
+fn bytes(mark: &str) -> Vec<u8> {
+    let Some(digits) = mark.strip_prefix("0x") else { return mark.into() };
+    let byte = |at: usize| u8::from_str_radix(digits.get(at..at + 2)?, 16).ok();
+    (0..digits.len()).step_by(2).filter_map(byte).collect()
 }
 
 impl Format {
     /// The format of the bytes of a file called `name`.
     ///
     /// # Errors
-    /// [`TopographyError::Picture`] for a picture, [`TopographyError::ForeignFormat`] with the name
-    /// of another format without a reader, and [`TopographyError::UnknownFormat`] for other binary
+    /// [`TopographyError::Format`] for a picture, another format without a reader, and other binary
     /// files.
     pub(super) fn of(name: &str, bytes: &[u8]) -> Result<Self, TopographyError> {
         let extension = name.rsplit_once('.').map(|(_, end)| end.to_ascii_lowercase());
@@ -72,24 +65,24 @@ impl Format {
             _ if sdf::is_sdf(bytes) => return Ok(Self::Sdf),
             _ => {}
         }
-        match foreign(extension, bytes) {
-            Some(Foreign { kind: "picture", name: format, .. }) => {
-                return Err(TopographyError::Picture { format });
-            }
-            Some(Foreign { name: format, converter, .. }) => {
-                return Err(TopographyError::ForeignFormat { format, converter });
-            }
-            None => {}
+        if let Some(Foreign { kind, name, advice, .. }) = foreign(extension, bytes) {
+            let found = match kind {
+                "picture" => format!("a picture ({name})"),
+                _ => format!("in the format {name}, which has no reader here"),
+            };
+            return Err(TopographyError::Format { found, advice });
         }
         match extension {
-            "npz" => Ok(Self::Npz),
             _ if bytes.starts_with(x3p::MAGIC) => Ok(Self::X3p),
             "gwy" => Ok(Self::Gwy),
             "npy" => Ok(Self::Npy),
             "sur" => Ok(Self::Sur),
             "sdf" => Ok(Self::Sdf),
             "x3p" => Ok(Self::X3p),
-            _ if is_binary(bytes) => Err(TopographyError::UnknownFormat),
+            _ if is_binary(bytes) => {
+                let found = "binary and of unknown format".into();
+                Err(TopographyError::Format { found, advice: "" })
+            }
             _ => Ok(Self::Text),
         }
     }
@@ -137,8 +130,10 @@ mod tests {
 
     #[test]
     fn converters_are_named_for_what_they_read() {
-        let converter =
-            |extension, bytes: &[u8]| foreign(extension, bytes).and_then(|format| format.converter);
+        let converter = |extension, bytes: &[u8]| {
+            let advice = foreign(extension, bytes)?.advice;
+            advice.strip_prefix("; ").and_then(|advice| advice.split(' ').next())
+        };
         for (extension, bytes, name) in [
             ("a", &b"VK4_"[..], Some("SurfaceTopography")),
             ("datx", b"\x89HDF\r\n\x1a\n\0", Some("SurfaceTopography")),

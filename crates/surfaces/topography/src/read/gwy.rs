@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use asperity_core::{Code, Finding};
 
+use super::sample::{Bytes, Sample};
 use super::scan::{Scan, points, positive, select};
 use crate::error::{damaged, excerpt, refuse};
 use crate::{LengthUnit, TopographyError};
@@ -100,11 +101,7 @@ impl<'a> Field<'a> {
         note: Option<Finding>,
     ) -> Result<Scan, TopographyError> {
         let [columns, rows] = self.resolution;
-        let count = |n: i32, field| {
-            let positive = u64::try_from(n).ok().filter(|n| *n > 0);
-            positive.ok_or_else(|| refuse(field, n, "at least 1"))
-        };
-        let n = points(count(columns, "gwy xres")?, count(rows, "gwy yres")?)?;
+        let n = points(positive("gwy xres", columns)? as u64, positive("gwy yres", rows)? as u64)?;
         let mut heights = self.numbers(n)?;
         let scale = self.units[0].parse().ok().map(LengthUnit::metres);
         let wrong = || refuse("gwy si_unit_xy", format!("{:?}", self.units[0]), "a unit of length");
@@ -131,13 +128,14 @@ impl<'a> Field<'a> {
     }
 
     fn numbers(&self, n: usize) -> Result<Vec<f64>, TopographyError> {
-        let (numbers, rest) = self.data.as_chunks();
-        if numbers.len() != n || !rest.is_empty() {
+        let mut numbers = Vec::with_capacity(n);
+        Sample::new(*b"f8").decode(self.data, &mut numbers);
+        if numbers.len() != n {
             let [columns, rows] = self.resolution;
             let required = format!("{n}, for {columns} x {rows} points");
             return Err(refuse("gwy data", format!("{} numbers", numbers.len()), required));
         }
-        Ok(numbers.iter().map(|number| f64::from_le_bytes(*number)).collect())
+        Ok(numbers)
     }
 }
 
@@ -164,34 +162,7 @@ fn each<'a>(items: &'a [u8], mut with: impl FnMut(&str, Item<'a>)) -> Result<(),
     Ok(())
 }
 
-/// Bytes not yet parsed; `None` where they end too early.
-struct Bytes<'a>(&'a [u8]);
-
 impl<'a> Bytes<'a> {
-    fn take(&mut self, n: usize) -> Option<&'a [u8]> {
-        let (taken, rest) = self.0.split_at_checked(n)?;
-        self.0 = rest;
-        Some(taken)
-    }
-
-    fn chunk<const N: usize>(&mut self) -> Option<[u8; N]> {
-        let (chunk, rest) = self.0.split_first_chunk()?;
-        self.0 = rest;
-        Some(*chunk)
-    }
-
-    fn count(&mut self) -> Option<usize> {
-        self.chunk().map(|n| u32::from_le_bytes(n) as usize)
-    }
-
-    /// A text that ends with a zero.
-    fn text(&mut self) -> Option<&'a [u8]> {
-        let end = self.0.iter().position(|byte| *byte == 0)?;
-        let text = self.take(end);
-        self.take(1)?;
-        text
-    }
-
     fn object(&mut self) -> Option<(&'a [u8], &'a [u8])> {
         let name = self.text()?;
         let size = self.count()?;
@@ -199,7 +170,7 @@ impl<'a> Bytes<'a> {
     }
 
     fn item(&mut self) -> Option<Item<'a>> {
-        let [kind] = self.chunk()?;
+        let kind = *self.take(1)?.first()?;
         let mut array = |size: usize| {
             let n = self.count()?;
             self.take(n.checked_mul(size)?)
@@ -211,8 +182,8 @@ impl<'a> Bytes<'a> {
             b'C' => array(1).map(|_| Item::Other)?,
             b'b' | b'c' => self.take(1).map(|_| Item::Other)?,
             b'q' => self.take(8).map(|_| Item::Other)?,
-            b'i' => Item::Whole(i32::from_le_bytes(self.chunk()?)),
-            b'd' => Item::Real(f64::from_le_bytes(self.chunk()?)),
+            b'i' => Item::Whole(self.number(*b"i4")? as i32),
+            b'd' => Item::Real(self.number(*b"f8")?),
             b's' => Item::Text(self.text()?),
             b'o' => {
                 let (name, items) = self.object()?;

@@ -2,12 +2,13 @@
 
 use std::collections::HashMap;
 
+use asperity_core::{Code, Finding};
 use serde::Serialize;
 
 use super::lines::{COMMENT, Delimiter};
 use super::scan::{ReadOptions, agree};
 use super::words::{meanings, named, number, quantities, unit_meaning};
-use crate::error::{refuse, refuse_line, undecided};
+use crate::error::{excerpt, refuse, refuse_line, undecided};
 use crate::{Distance, LengthUnit, MAX_POINTS, TopographyError};
 
 /// A line of the header of a text file.
@@ -180,8 +181,16 @@ impl Header {
         self.find(["unit"]).map(unit).transpose()
     }
 
-    /// The factor of the heights, which leads to their unit; `unit` tells whether that is known.
-    pub(super) fn factor(&self, unit: bool) -> Result<Option<f64>, TopographyError> {
+    /// The factor of the heights, which leads to their unit, with a note of it; `unit` tells whether
+    /// that is known.
+    pub(super) fn factor(&self, unit: bool) -> Result<Option<(f64, Finding)>, TopographyError> {
+        let note = |factor: f64, Entry { line, text, .. }: &Entry| {
+            let fact = format!(
+                "the heights are multiplied by {factor:?}, by line {line}: {:?}",
+                excerpt(text)
+            );
+            (factor, Finding::note(Code::Factor, "factor", factor).fact(fact))
+        };
         // Nova writes `No` where heights are in their unit, Wyko 1 as the second of three flags.
         let scaled = |entry: &Entry| {
             entry.words.eq_ignore_ascii_case("no") || entry.numbers.get(1) == Some(&1.0)
@@ -193,11 +202,12 @@ impl Header {
         if let (Some(wavelength), Some(divisor)) =
             (self.find(["wavelength"]), self.find(["divisor"]))
         {
-            return Ok(Some(wavelength.positive(9, required)? / divisor.positive(9, required)?));
+            let factor = wavelength.positive(9, required)? / divisor.positive(9, required)?;
+            return Ok(Some(note(factor, wavelength)));
         }
         let Some(entry) = self.find(["factor"]) else { return Ok(None) };
         let factor = entry.numbers.last().copied().filter(|factor| unit && factor.is_finite());
-        factor.map(Some).ok_or_else(|| entry.wrong(required))
+        factor.map(|factor| Some(note(factor, entry))).ok_or_else(|| entry.wrong(required))
     }
 
     /// The numbers that mark missing points.
@@ -276,33 +286,7 @@ impl Header {
         Ok(Some((entry, Distance { value, unit: entry.unit_or(lateral)? })))
     }
 
-    /// Refuses a stated distance of points that is not that of a side \[m\] of `n` points, which
-    /// may be measured from the first to the last.
-    fn check_step(
-        &self,
-        axis: usize,
-        side: &Entry,
-        (whole, n): (f64, usize),
-        lateral: Option<LengthUnit>,
-    ) -> Result<(), TopographyError> {
-        let Ok(Some((entry, Distance { value, unit: Some(unit) }))) = self.step(axis, lateral)
-        else {
-            return Ok(());
-        };
-        let over = whole / (value * unit.metres());
-        let slack = 1e-2 * n as f64;
-        if (n.saturating_sub(1) as f64 - slack..=n as f64 + slack).contains(&over) {
-            return Ok(());
-        }
-        let found = format!(
-            "{:?} in line {} and {:?} in line {}",
-            side.text, side.line, entry.text, entry.line
-        );
-        let required =
-            format!("a side of {n} times the distance of points; skip_lines leaves lines out");
-        Err(refuse("header", found, required))
-    }
-
+    /// The distance of points along an axis, of a side of `n` points.
     fn side(
         &self,
         axis: usize,
@@ -311,6 +295,7 @@ impl Header {
         options: &ReadOptions,
     ) -> Result<Option<Distance>, TopographyError> {
         let lateral = self.lateral(axis, options)?;
+        let step = self.step(axis, lateral);
         // One number is the size of a square.
         let both = || self.find(["size"]).filter(|entry| square || entry.numbers.len() == 2);
         let size = self.find([["width"], ["height"]][axis]).or_else(both);
@@ -319,16 +304,27 @@ impl Header {
             match entry.unit_or(lateral)? {
                 Some(unit) => {
                     let whole = length * unit.metres();
-                    self.check_step(axis, entry, (whole, n), lateral)?;
+                    if let Ok(Some((step, Distance { value, unit: Some(unit) }))) = step {
+                        // It may be measured from the first point to the last.
+                        let (over, slack) = (whole / (value * unit.metres()), 1e-2 * n as f64);
+                        if !(n as f64 - 1.0 - slack..=n as f64 + slack).contains(&over) {
+                            let stated =
+                                |entry: &Entry| format!("{:?} in line {}", entry.text, entry.line);
+                            let found = format!("{} and {}", stated(entry), stated(step));
+                            let required = format!(
+                                "a side of {n} times the distance of points; skip_lines leaves lines out"
+                            );
+                            return Err(refuse("header", found, required));
+                        }
+                    }
                     return Ok(Some(Distance::metre(whole / n as f64)));
                 }
                 // The number of points.
-                None if length.total_cmp(&(n as f64)).is_eq() => {}
-                None if options.pixel_size.is_some() => {}
+                None if length.total_cmp(&(n as f64)).is_eq() || options.pixel_size.is_some() => {}
                 None => return Err(no_unit(format!("line {}", entry.line), &entry.text)),
             }
         }
-        if let Some((_, step)) = self.step(axis, lateral)? {
+        if let Some((_, step)) = step? {
             return Ok(Some(step));
         }
         let Some(entry) = self.find([["range x"], ["range y"]][axis]) else { return Ok(None) };

@@ -19,7 +19,6 @@ mod x3p;
 mod x3p_xml;
 
 use std::borrow::Cow;
-use std::fmt::Display;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -31,7 +30,7 @@ pub use scan::ReadOptions;
 pub(crate) use words::{quantities, unit_meaning};
 
 use self::format::Format;
-use crate::error::{at_most, damaged, refuse};
+use crate::error::{at_most, damaged, refuse, unknown_name};
 use crate::{Topography, TopographyError};
 
 /// The largest file that is read, and the largest content of a gzip file: 2 GiB.
@@ -113,14 +112,12 @@ fn scan(
         Format::Gwy => return gwy::scan(&bytes, channel),
         Format::Sur => return sur::scan(&bytes, channel),
         Format::Npy => npy::scan(&bytes),
-        Format::Npz => Err(npy::archive(&bytes)),
         Format::X3p => x3p::scan(&bytes),
         Format::Sdf => sdf::scan(&bytes),
         Format::Text => return text::scan(&bytes, options),
     };
     let Some(channel) = channel else { return scan };
-    let names = "a file with several channels (.gwy, .sur or text)".into();
-    Err(scan::unknown_channel(channel, names))
+    Err(unknown_name("channel", channel, "a file with several channels (.gwy, .sur or text)"))
 }
 
 /// The name and the content of a file that may be packed by gzip.
@@ -159,51 +156,16 @@ const SMALL: usize = 1 << 20;
 /// The unpacked file.
 fn unpack(packed: &[u8]) -> Result<Vec<u8>, TopographyError> {
     let limit = packed.len().saturating_mul(MAX_RATIO).max(SMALL).min(MAX_FILE_BYTES as usize);
-    let refuse = |found: &dyn Display, required: &str| refuse("gzip content", found, required);
     let mut bytes = Vec::new();
-    MultiGzDecoder::new(packed).take(limit as u64 + 1).read_to_end(&mut bytes).map_err(|_| {
-        damaged(
-            "gzip",
-            "it is cut short, or its bytes are not those that were packed; copy the file again",
-        )
-    })?;
+    let read = MultiGzDecoder::new(packed).take(limit as u64 + 1).read_to_end(&mut bytes);
+    let cut = "it is cut short, or its bytes are not those that were packed; copy the file again";
+    read.map_err(|_| damaged("gzip", cut))?;
     if bytes.len() > limit {
         let required = format!("at most {limit} bytes, {MAX_RATIO} times the packed size");
-        return Err(refuse(&"more", &required));
+        return Err(refuse("gzip content", "more", required));
     }
-    if bytes.starts_with(GZIP) {
-        return Err(refuse(&"another gzip file", "a scan; unpack the file once"));
-    }
-    Ok(bytes)
-}
-
-#[cfg(test)]
-mod tests {
-    use std::io::Write;
-
-    use flate2::Compression;
-    use flate2::write::GzEncoder;
-
-    use super::*;
-
-    fn packed(bytes: &[u8]) -> Vec<u8> {
-        let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
-        encoder.write_all(bytes).unwrap();
-        encoder.finish().unwrap()
-    }
-
-    #[test]
-    fn a_file_is_unpacked_once_and_within_limits() {
-        let text = b"1 2 3 4\n5 6 7 8\n";
-        assert_eq!(unpack(&packed(text)).unwrap(), text);
-        // Several members, as `cat a.gz b.gz` writes them.
-        assert_eq!(unpack(&[packed(b"1 2\n"), packed(b"3 4\n")].concat()).unwrap(), b"1 2\n3 4\n");
-        let message = |bytes: &[u8]| unpack(bytes).unwrap_err().to_string();
-        assert!(message(&packed(&packed(text))).contains("another gzip file"));
-        assert!(message(&packed(&vec![0; 4 << 20])).contains("at most 1048576 bytes"));
-        let whole = packed(text);
-        for length in GZIP.len()..whole.len() {
-            assert!(message(&whole[..length]).contains("gzip"), "{length}");
-        }
+    match bytes.starts_with(GZIP) {
+        true => Err(refuse("gzip content", "another gzip file", "a scan; unpack the file once")),
+        false => Ok(bytes),
     }
 }

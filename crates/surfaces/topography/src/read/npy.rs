@@ -3,14 +3,11 @@
 //! The header is parsed here because crates for it multiply declared shapes and allocate before
 //! checking against the file, and accept nested brackets of any depth.
 
-use std::io::Cursor;
-
-use zip::ZipArchive;
-
-use super::sample::Sample;
-use super::scan::{Scan, points, transposed};
+use super::sample::{Bytes, Sample};
+use super::scan::{Scan, points};
 use crate::TopographyError;
 use crate::error::{damaged, refuse};
+use crate::topography::transposed;
 
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 /// The limit of NumPy itself.
@@ -41,43 +38,26 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     Ok(Scan { heights, columns, ..Scan::default() })
 }
 
-/// The error for an `.npz`, an archive of several arrays.
-pub(super) fn archive(bytes: &[u8]) -> TopographyError {
-    let archive = ZipArchive::new(Cursor::new(bytes)).ok();
-    let names =
-        archive.map(|archive| archive.file_names().flatten().collect::<Vec<_>>().join(", "));
-    let found = format!("an archive of arrays ({})", names.unwrap_or_else(|| "broken".into()));
-    let required = "a single array: numpy.save(\"scan.npy\", numpy.load(\"scan.npz\")[name])";
-    refuse("npz file", found, required)
-}
-
 /// Header text and data.
 fn parts(bytes: &[u8]) -> Result<(&str, &[u8]), TopographyError> {
     let short = || damaged("npy", "its header is not whole");
     let Some(rest) = bytes.strip_prefix(MAGIC) else {
         return Err(damaged("npy", "it does not begin with \\x93NUMPY"));
     };
-    let (version, rest) = rest.split_first_chunk().ok_or_else(short)?;
-    let (length, rest) = match version {
-        [1, 0] => {
-            let (length, rest) = rest.split_first_chunk().ok_or_else(short)?;
-            (usize::from(u16::from_le_bytes(*length)), rest)
-        }
-        [2 | 3, 0] => {
-            let (length, rest) = rest.split_first_chunk().ok_or_else(short)?;
-            (u32::from_le_bytes(*length) as usize, rest)
-        }
-        [major, minor] => {
-            return Err(refuse("npy version", format!("{major}.{minor}"), "1.0, 2.0 or 3.0"));
-        }
+    let mut rest = Bytes(rest);
+    let size = match rest.take(2).ok_or_else(short)? {
+        [1, 0] => *b"u2",
+        [2 | 3, 0] => *b"u4",
+        other => return Err(refuse("npy version", format!("{other:?}"), "1.0, 2.0 or 3.0")),
     };
+    let length = rest.number(size).ok_or_else(short)? as usize;
     if length > MAX_HEADER {
         let required = format!("at most {MAX_HEADER} bytes");
         return Err(refuse("npy header", format!("{length} bytes"), required));
     }
-    let (header, data) = rest.split_at_checked(length).ok_or_else(short)?;
-    let text = std::str::from_utf8(header).map_err(|_| damaged("npy", "its header is not text"))?;
-    Ok((text, data))
+    let header = rest.take(length).ok_or_else(short)?;
+    let text = std::str::from_utf8(header);
+    Ok((text.map_err(|_| damaged("npy", "its header is not text"))?, rest.0))
 }
 
 struct Header {

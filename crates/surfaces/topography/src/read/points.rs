@@ -5,7 +5,7 @@ use crate::TopographyError;
 use crate::error::refuse;
 
 /// Tolerance of a position, relative to the grid distance: files print positions with few digits.
-const SLACK: f64 = 0.1;
+pub(super) const SLACK: f64 = 0.1;
 
 /// Heights, columns and pixel size of x, y, z, x, y, z...: points of a regular grid, in any order;
 /// NaN for grid points without a point.
@@ -88,6 +88,22 @@ impl Axis {
         let found = format!("a point at {place:?}, {at:?} steps of {:e} from the first", self.step);
         Err(refuse(self.field, found, "points of a regular grid"))
     }
+}
+
+/// The largest distance of numbers from a line through the first and the last, in steps of the
+/// line.
+pub(super) fn deviation(values: &[f64]) -> f64 {
+    let (Some(first), Some(last)) = (values.first(), values.last()) else { return f64::INFINITY };
+    let step = (last - first) / (values.len() - 1) as f64;
+    let off = |(k, value): (usize, &f64)| ((value - first) / step - k as f64).abs();
+    // NaN is the largest of all.
+    values.iter().enumerate().map(off).max_by(f64::total_cmp).unwrap_or(f64::NAN)
+}
+
+/// The step of positions, rising or falling: at least two numbers at equal distances.
+pub(super) fn step(values: &[f64]) -> Option<f64> {
+    let step = (values.last()? - values.first()?) / (values.len().max(2) - 1) as f64;
+    (deviation(values) < SLACK && step != 0.0 && step.is_finite()).then_some(step)
 }
 
 #[cfg(test)]

@@ -2,13 +2,11 @@
 
 use asperity_core::{Code, Finding};
 
+use super::points::{SLACK, deviation};
 use super::scan::Scan;
 use crate::error::refuse;
 use crate::{LengthUnit, Topography, TopographyError};
 
-/// Tolerance of a position, relative to the distance of points: files print positions with few
-/// digits.
-const SLACK: f64 = 0.1;
 /// The least number of positions whose last digit may be coarse against their distance.
 const MANY: usize = 20;
 /// The largest unit of the last digit, relative to the distance of points.
@@ -28,7 +26,8 @@ impl Topography {
         unit: LengthUnit,
     ) -> Result<Self, TopographyError> {
         if places.len() != heights.len() {
-            return Err(TopographyError::Shape { heights: heights.len(), columns: places.len() });
+            let found = format!("{} for {} positions", heights.len(), places.len());
+            return Err(refuse("heights", found, "a height for each position"));
         }
         let (Scan { heights, columns, notes, .. }, step) = profile(places, heights)?;
         Ok(Self { notes, ..Self::in_unit(heights, columns, [step; 2], unit)? })
@@ -61,10 +60,8 @@ pub(super) fn profile(
     let found = |heights: Vec<f64>, notes| {
         (Scan { columns: heights.len(), heights, notes, ..Scan::default() }, step)
     };
-    let off = |(i, place): (usize, &f64)| (place - (first + step * i as f64)).abs();
-    // NaN is the largest of all.
-    let farthest = places.iter().enumerate().map(off).max_by(f64::total_cmp).unwrap_or(f64::NAN);
-    if farthest <= SLACK * step {
+    let farthest = deviation(&places);
+    if farthest <= SLACK {
         return Ok(found(heights, vec![]));
     }
     let pairs = || places.windows(2).map(|pair| pair[1] - pair[0]).enumerate();
@@ -72,7 +69,7 @@ pub(super) fn profile(
         let (place, before) = (places[i + 1], places[i]);
         return Err(wrong(format!("{place:?} as position {} after {before:?}", i + 2)));
     }
-    if places.len() >= MANY && last_digit(&places, COARSE * step) >= farthest {
+    if places.len() >= MANY && last_digit(&places, COARSE * step) >= farthest * step {
         return Ok(found(heights, vec![]));
     }
     let distances = || pairs().map(|(_, distance)| distance);
@@ -159,7 +156,7 @@ mod tests {
 
     #[test]
     fn a_profile_is_a_topography() {
-        let unit = LengthUnit::Micrometre;
+        let unit = "um".parse().unwrap();
         let found = Topography::from_profile(vec![4.0, 1.0, 0.0], vec![8.0, 2.0, 0.0], unit);
         let found = found.unwrap();
         assert!(found.is_profile() && (found.pixel_size()[0] / 2e-6 - 1.0).abs() < 1e-12);

@@ -33,22 +33,24 @@ impl Sample {
 
     /// Appends the numbers in `bytes`, without an incomplete last one.
     pub(super) fn decode(self, bytes: &[u8], into: &mut Vec<f64>) {
-        let number = |bytes: &[u8]| {
-            let push = |bits: u64, byte: &u8| bits << 8 | u64::from(*byte);
-            let bits = match self.big_endian {
-                true => bytes.iter().fold(0, push),
-                false => bytes.iter().rev().fold(0, push),
-            };
-            // Shifts carry the sign of short numbers.
-            let unused = 64 - 8 * self.size;
-            match (self.kind, self.size) {
-                (b'f', 4) => f64::from(f32::from_bits(bits as u32)),
-                (b'f', _) => f64::from_bits(bits),
-                (b'i', _) => ((bits << unused) as i64 >> unused) as f64,
-                _ => bits as f64,
-            }
+        into.extend(bytes.chunks_exact(self.size).map(|bytes| self.number(bytes)));
+    }
+
+    /// The number in as many bytes as it has.
+    fn number(self, bytes: &[u8]) -> f64 {
+        let push = |bits: u64, byte: &u8| bits << 8 | u64::from(*byte);
+        let bits = match self.big_endian {
+            true => bytes.iter().fold(0, push),
+            false => bytes.iter().rev().fold(0, push),
         };
-        into.extend(bytes.chunks_exact(self.size).map(number));
+        // Shifts carry the sign of short numbers.
+        let unused = 64 - 8 * self.size;
+        match (self.kind, self.size) {
+            (b'f', 4) => f64::from(f32::from_bits(bits as u32)),
+            (b'f', _) => f64::from_bits(bits),
+            (b'i', _) => ((bits << unused) as i64 >> unused) as f64,
+            _ => bits as f64,
+        }
     }
 
     /// The least and the largest number, of floating ones with the few digits that files print.
@@ -60,6 +62,34 @@ impl Sample {
             (b'i', _) => [-0.5 * largest, 0.5 * largest - 1.0],
             _ => [-1.0, largest - 1.0],
         }
+    }
+}
+
+/// Bytes not yet parsed; `None` where they end too early.
+pub(super) struct Bytes<'a>(pub(super) &'a [u8]);
+
+impl<'a> Bytes<'a> {
+    pub(super) fn take(&mut self, n: usize) -> Option<&'a [u8]> {
+        let (taken, rest) = self.0.split_at_checked(n)?;
+        self.0 = rest;
+        Some(taken)
+    }
+
+    /// A number of this type, such as `f8`.
+    pub(super) fn number(&mut self, name: [u8; 2]) -> Option<f64> {
+        let sample = Sample::new(name);
+        Some(sample.number(self.take(sample.size)?))
+    }
+
+    /// A count in four bytes.
+    pub(super) fn count(&mut self) -> Option<usize> {
+        self.number(*b"u4").map(|n| n as usize)
+    }
+
+    /// A text that ends with a zero.
+    pub(super) fn text(&mut self) -> Option<&'a [u8]> {
+        let end = self.0.iter().position(|byte| *byte == 0)?;
+        self.take(end + 1)?.strip_suffix(b"\0")
     }
 }
 

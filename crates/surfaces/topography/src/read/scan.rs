@@ -5,7 +5,7 @@ use std::fmt::Display;
 use asperity_core::{Code, Finding};
 use serde::{Deserialize, Deserializer};
 
-use crate::error::{at_most, excerpt, out_of_range, refuse, undecided};
+use crate::error::{at_most, excerpt, out_of_range, refuse, undecided, unknown_name};
 use crate::{Distance, LengthUnit, MAX_POINTS, Topography, TopographyError};
 
 /// Smaller pixels \[m\] are refused: no instrument resolves them.
@@ -15,7 +15,7 @@ const ATOM: f64 = 1e-11;
 pub(super) const DEFLATE_RATIO: usize = 1032;
 
 /// Properties that a file may not state, and the accepted share of missing points.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
 #[serde(default)]
 pub struct ReadOptions {
     /// Unit of the heights, and of a `pixel_size` without one. A unit stated in the file must
@@ -26,8 +26,9 @@ pub struct ReadOptions {
     /// agree to one part in a thousand.
     #[serde(deserialize_with = "sides")]
     pub pixel_size: Option<[Distance; 2]>,
-    /// The largest share of missing points accepted, 0 to 1; 0.1 by default.
-    pub max_missing: f64,
+    /// The largest share of missing points accepted, 0 to 1; by default
+    /// [`MAX_MISSING`](Self::MAX_MISSING).
+    pub max_missing: Option<f64>,
     /// The channel of a file with several (.gwy, .sur): its name, or its number among those of
     /// heights, from 1. By default the first one with heights. Of a text with several tables, the
     /// name or the number of the table; it has no default.
@@ -68,6 +69,9 @@ fn sides<'de, D: Deserializer<'de>>(given: D) -> Result<Option<[Distance; 2]>, D
 }
 
 impl ReadOptions {
+    /// The share of missing points that is accepted by default.
+    pub const MAX_MISSING: f64 = 0.1;
+
     /// Checks the range of every option, before a file is read.
     pub(crate) fn check(&self) -> Result<(), TopographyError> {
         for size in self.pixel_size.into_iter().flatten().map(|size| size.value) {
@@ -75,8 +79,8 @@ impl ReadOptions {
                 return Err(out_of_range("pixel_size", size, "a finite length above 0"));
             }
         }
-        if !(0.0..=1.0).contains(&self.max_missing) {
-            return Err(out_of_range("max_missing", self.max_missing, "a share from 0 to 1"));
+        if let Some(share) = self.max_missing.filter(|share| !(0.0..=1.0).contains(share)) {
+            return Err(out_of_range("max_missing", share, "a share from 0 to 1"));
         }
         if let Some(factor) = self.factor.filter(|factor| *factor == 0.0 || !factor.is_finite()) {
             return Err(out_of_range("factor", factor, "a finite number other than 0"));
@@ -100,23 +104,6 @@ impl ReadOptions {
     /// The unit of the heights.
     pub(super) fn height_unit(&self) -> Option<LengthUnit> {
         self.unit.or_else(|| self.units.as_ref()?.last().copied())
-    }
-}
-
-impl Default for ReadOptions {
-    fn default() -> Self {
-        Self {
-            unit: None,
-            pixel_size: None,
-            max_missing: 0.1,
-            channel: None,
-            units: None,
-            columns: None,
-            skip_lines: 0,
-            missing: None,
-            factor: None,
-            delimiter: None,
-        }
     }
 }
 
@@ -154,10 +141,14 @@ impl Scan {
         let named = self.unit(options)?;
         let unit = named.metres();
         let pixel_size = self.pixel_size(options, named)?;
-        let mut bare = options.pixel_size.into_iter().flatten().filter(|size| size.unit.is_none());
-        if let Some(tiny) = bare.find(|size| size.value * unit < ATOM) {
-            let (value, metres) = (tiny.value, tiny.value * unit);
-            return Err(TopographyError::TinyPixel { value, unit: named.to_string(), metres });
+        let is_tiny = |size: &Distance| size.unit.is_none() && size.value * unit < ATOM;
+        let tiny = options.pixel_size.into_iter().flatten().find(is_tiny);
+        if let Some(Distance { value: size, .. }) = tiny {
+            let required = format!(
+                "more than an atom: in {named}, the unit of the heights, it is {:e} m, and {size:e} looks like m; a size with its own unit (10nm)",
+                size * unit
+            );
+            return Err(out_of_range("pixel_size", size, &required));
         }
         let factor = agree("factor", options.factor, self.factor)?;
         let Self { mut heights, columns, notes, .. } = self;
@@ -173,7 +164,7 @@ impl Scan {
         }
         let topography = Topography { notes, ..Topography::new(heights, columns, pixel_size)? };
         let share = topography.missing_share();
-        let limit = options.max_missing;
+        let limit = options.max_missing.unwrap_or(ReadOptions::MAX_MISSING);
         if share > limit {
             return Err(TopographyError::TooManyMissing { share, limit });
         }
@@ -181,11 +172,8 @@ impl Scan {
     }
 
     fn unit(&self, options: &ReadOptions) -> Result<LengthUnit, TopographyError> {
-        let given = agree(
-            "unit",
-            options.unit,
-            options.units.as_ref().and_then(|units| units.last().copied()),
-        )?;
+        let last = options.units.as_ref().and_then(|units| units.last().copied());
+        let given = agree("unit", options.unit, last)?;
         agree("unit", given, self.unit)?.ok_or(TopographyError::UnitMissing)
     }
 
@@ -194,13 +182,12 @@ impl Scan {
         options: &ReadOptions,
         named: LengthUnit,
     ) -> Result<[f64; 2], TopographyError> {
-        let metres = |size: Distance, unit: Option<LengthUnit>| {
-            size.unit
-                .or(unit)
-                .map_or(size.value * named.metres(), |unit| size.value * unit.metres())
+        let of = |size: [Distance; 2]| {
+            [0, 1].map(|axis| {
+                let unit = size[axis].unit.or(options.lateral(axis)).unwrap_or(named);
+                size[axis].value * unit.metres()
+            })
         };
-        let lateral = [0, 1].map(|axis| options.lateral(axis));
-        let of = |size: [Distance; 2]| [metres(size[0], lateral[0]), metres(size[1], lateral[1])];
         let (given, in_file) = (options.pixel_size.map(of), self.pixel_size.map(of));
         if let (Some(given), Some(in_file)) = (given, in_file) {
             // A profile uses the first only.
@@ -298,12 +285,6 @@ pub(super) fn positive<T: Into<f64> + Display + Copy>(
     (value.is_finite() && value > 0.0).then_some(value).ok_or_else(wrong)
 }
 
-/// Rows as columns.
-pub(super) fn transposed(heights: &[f64], columns: usize) -> Vec<f64> {
-    let rows = heights.len() / columns;
-    (0..heights.len()).map(|at| heights[at % rows * columns + at / rows]).collect()
-}
-
 /// Reverses every row.
 pub(super) fn mirror_columns(heights: &mut [f64], columns: usize) {
     heights.chunks_mut(columns).for_each(<[f64]>::reverse);
@@ -315,9 +296,11 @@ pub(super) fn mirror_rows(heights: &mut [f64], columns: usize) {
     mirror_columns(heights, columns);
 }
 
-/// The error for a channel that the file does not have.
-pub(super) fn unknown_channel(channel: &str, names: String) -> TopographyError {
-    TopographyError::UnknownName { field: "channel", found: excerpt(channel), names }
+/// The names of channels with their numbers.
+pub(super) fn listed(names: &[String]) -> String {
+    let shown = names.iter().take(12).enumerate();
+    let shown = shown.map(|(i, name)| format!("{} {:?}", i + 1, excerpt(name)));
+    shown.collect::<Vec<_>>().join(", ")
 }
 
 /// The index of a channel, and a note on the choice where the file has several.
@@ -325,24 +308,18 @@ pub(super) fn select(
     names: &[String],
     channel: Option<&str>,
 ) -> Result<(usize, Option<Finding>), TopographyError> {
-    let list = || {
-        let shown = names.iter().take(12).enumerate();
-        let shown = shown.map(|(i, name)| format!("{} {:?}", i + 1, excerpt(name)));
-        shown.collect::<Vec<_>>().join(", ")
-    };
     let Some(channel) = channel else {
         let note = |name: &String| {
             Finding::note(Code::Channel, "channel", 1.0)
                 .fact(format!("the file has {} surfaces; {:?} is read", names.len(), excerpt(name)))
-                .advice(format!("choose another with channel: {}", list()))
+                .advice(format!("choose another with channel: {}", listed(names)))
         };
         return Ok((0, names.first().filter(|_| names.len() > 1).map(note)));
     };
     let same = |name: &String| name.to_lowercase() == channel.trim().to_lowercase();
     let numbered = || channel.trim().parse::<usize>().ok()?.checked_sub(1);
     let at = names.iter().position(same).or_else(numbered).filter(|at| *at < names.len());
-    let wrong = || unknown_channel(channel, list());
-    Ok((at.ok_or_else(wrong)?, None))
+    Ok((at.ok_or_else(|| unknown_name("channel", channel, listed(names)))?, None))
 }
 
 #[cfg(test)]
@@ -354,33 +331,15 @@ mod tests {
         Scan { heights, columns: 2, unit, pixel_size, ..Scan::default() }
     }
 
-    fn message(scan: Scan, options: &ReadOptions) -> String {
-        scan.topography(options).unwrap_err().to_string()
-    }
-
-    #[test]
-    fn missing_units_and_pixel_sizes_are_requested() {
-        let options = ReadOptions { max_missing: 0.5, ..ReadOptions::default() };
-        let unit = Some(LengthUnit::Nanometre);
-        assert!(message(scan(None, None), &options).contains("give unit"));
-        assert!(message(scan(unit, None), &options).contains("give pixel_size"));
-        // The pixel size given is in the unit of the heights.
-        let options = ReadOptions { pixel_size: Some([2.0, 3.0].map(Distance::from)), ..options };
-        let surface = scan(unit, None).topography(&options).unwrap();
-        assert!((surface.pixel_size()[1] / 3e-9 - 1.0).abs() < 1e-15);
-        assert!((surface.heights()[3] / 4e-9 - 1.0).abs() < 1e-15);
-        assert!(surface.heights()[2].is_nan());
-    }
-
     #[test]
     fn options_that_contradict_the_file_are_refused() {
         let options = ReadOptions {
-            unit: Some(LengthUnit::Micrometre),
+            unit: "um".parse().ok(),
             pixel_size: Some([Distance::from(2.0); 2]),
-            max_missing: 0.5,
+            max_missing: Some(0.5),
             ..ReadOptions::default()
         };
-        let in_nm = scan(Some(LengthUnit::Nanometre), None);
+        let in_nm = scan("nm".parse().ok(), None);
         let finer = scan(None, Some([2e-6, 1e-6].map(Distance::metre)));
         for (other, named) in [(in_nm, "unit"), (finer, "pixel_size")] {
             let refused = other.topography(&options);
@@ -388,7 +347,7 @@ mod tests {
                 matches!(refused, Err(TopographyError::Contradiction { option, .. }) if option == named)
             );
         }
-        let same = scan(Some(LengthUnit::Micrometre), Some([2.0004, 2.0].map(Distance::from)));
+        let same = scan("um".parse().ok(), Some([2.0004, 2.0].map(Distance::from)));
         let surface = same.topography(&options).unwrap();
         assert!((surface.pixel_size()[0] / 2.0004e-6 - 1.0).abs() < 1e-15);
     }
@@ -396,8 +355,9 @@ mod tests {
     #[test]
     fn missing_points_are_refused_above_their_share() {
         let some = |max_missing| {
+            let max_missing = Some(max_missing);
             let options = ReadOptions { max_missing, ..ReadOptions::default() };
-            scan(Some(LengthUnit::Metre), Some([Distance::from(1.0); 2])).topography(&options)
+            scan(Some(LengthUnit::METRE), Some([Distance::from(1.0); 2])).topography(&options)
         };
         assert!(some(0.25).is_ok());
         assert!(matches!(some(0.1), Err(TopographyError::TooManyMissing { share: 0.25, .. })));

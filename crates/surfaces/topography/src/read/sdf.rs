@@ -2,11 +2,24 @@
 //!
 //! The layout follows the readers of Gwyddion, surfalize and sdfio, not the standard.
 
-use super::sample::Sample;
+use std::fmt::Display;
+
+use super::sample::{Bytes, Sample};
 use super::scan::{Scan, points, positive};
 use crate::error::refuse;
 use crate::{LengthUnit, TopographyError};
 
+/// The fields of a header, in the order of binary ones. Lengths are in m.
+const FIELDS: [&str; 8] = [
+    "NumPoints",
+    "NumProfiles",
+    "Xscale",
+    "Yscale",
+    "Zscale",
+    "Compression",
+    "DataType",
+    "CheckType",
+];
 /// Types of the heights by their number, and the names of these types in text.
 const TYPES: [&[u8; 2]; 8] = [b"u1", b"u2", b"u4", b"f4", b"i1", b"i2", b"i4", b"f8"];
 const NAMES: [&str; 8] =
@@ -18,7 +31,7 @@ pub(super) fn is_sdf(bytes: &[u8]) -> bool {
 }
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
-    let (heights, header) = match bytes.first() {
+    let (heights, Header { columns, pixel, scale, .. }) = match bytes.first() {
         _ if !is_sdf(bytes) => {
             let required = "aISO-1.0, bISO-1.0, aISO-2.0, bISO-2.0, aBCR-1.0 or bBCR-1.0";
             return Err(refuse("sdf file", "something else", required));
@@ -26,53 +39,85 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
         Some(b'a' | b'A') => text(bytes)?,
         _ => binary(bytes)?,
     };
-    let [x, y, z] = header.scales;
-    let dx = positive("sdf Xscale", x)?;
-    // A profile has no distance of rows.
-    let dy = if header.rows == 1 { dx } else { positive("sdf Yscale", y)? };
-    let scale = positive("sdf Zscale", z)?;
     let heights = heights.into_iter().map(|height| height * scale).collect();
-    let unit = Some(LengthUnit::Metre);
-    Ok(Scan::new(heights, header.columns as usize, unit, [dx, dy]))
+    Ok(Scan::new(heights, columns, Some(LengthUnit::METRE), pixel))
 }
 
-/// The fields of a header. Lengths are in m.
+/// What a header declares.
 struct Header {
-    columns: u64,
-    rows: u64,
-    scales: [f64; 3],
-    /// Compression and checksum, which are not read.
-    packing: [u8; 2],
-    data_type: u8,
+    columns: usize,
+    /// Of all points.
+    count: usize,
+    /// \[m\]
+    pixel: [f64; 2],
+    /// Of a number \[m\].
+    scale: f64,
+    sample: Sample,
 }
 
 impl Header {
-    /// The number of points and their type.
-    fn points(&self) -> Result<(usize, Sample), TopographyError> {
-        for (packing, field) in self.packing.into_iter().zip(["Compression", "CheckType"]) {
-            if packing != 0 {
-                return Err(refuse(format!("sdf {field}"), packing, "0: none"));
-            }
+    /// The header of the numbers of [`FIELDS`].
+    fn new(fields: [f64; 8]) -> Result<Self, TopographyError> {
+        let [columns, rows, x, y, z, _, kind, _] = fields;
+        let wrong =
+            |at: usize, required| refuse(format!("sdf {}", FIELDS[at]), fields[at], required);
+        // Neither compressed data nor checksums are read.
+        if let Some(at) = [5, 7].into_iter().find(|at| fields[*at].abs() > 0.0) {
+            return Err(wrong(at, "0: none"));
         }
-        for (n, field) in [(self.columns, "NumPoints"), (self.rows, "NumProfiles")] {
-            if n == 0 {
-                return Err(refuse(format!("sdf {field}"), n, "at least 1"));
-            }
+        if let Some(at) =
+            [0, 1].into_iter().find(|at| fields[*at] < 1.0 || fields[*at].fract() > 0.0)
+        {
+            return Err(wrong(at, "a whole number of at least 1"));
         }
-        let n = points(self.columns, self.rows)?;
-        match TYPES.get(usize::from(self.data_type)) {
-            Some(name) => Ok((n, Sample::new(**name))),
-            None => Err(refuse("sdf DataType", self.data_type, "0 to 7")),
+        let kind = (0..TYPES.len()).find(|number| (*number as f64).total_cmp(&kind).is_eq());
+        let kind = kind.ok_or_else(|| wrong(6, "0 to 7"))?;
+        let dx = positive("sdf Xscale", x)?;
+        // A profile has no distance of rows.
+        let dy = if rows > 1.0 { positive("sdf Yscale", y)? } else { dx };
+        Ok(Self {
+            columns: columns as usize,
+            count: points(columns as u64, rows as u64)?,
+            pixel: [dx, dy],
+            scale: positive("sdf Zscale", z)?,
+            sample: Sample::new(*TYPES[kind]),
+        })
+    }
+
+    /// The header of lines `Name = value`.
+    fn of_lines<'a>(
+        lines: impl Iterator<Item = &'a [u8]> + Clone,
+    ) -> Result<Self, TopographyError> {
+        let value = |name: &str| {
+            lines.clone().find_map(|line| {
+                let (found, value) = std::str::from_utf8(line).ok()?.split_once('=')?;
+                found.trim().eq_ignore_ascii_case(name).then_some(value.trim())
+            })
+        };
+        let mut fields = [0.0; 8];
+        for (name, field) in FIELDS.into_iter().zip(&mut fields) {
+            let wrong = |found, required| refuse(format!("sdf {name}"), found, required);
+            let found = match (name, value(name)) {
+                // Doubles: numbers of text have no other limits.
+                ("DataType", None) => "7",
+                ("Compression" | "CheckType", None) => "0",
+                ("Yscale", None) if value("NumProfiles") == Some("1") => "0",
+                (_, found) => found.ok_or_else(|| wrong("nothing", "this field in the header"))?,
+            };
+            let named = NAMES.iter().position(|known| found.eq_ignore_ascii_case(known));
+            let none = ["null", "none"].iter().any(|none| found.eq_ignore_ascii_case(none));
+            let number = if none { Some(0.0) } else { named.map(|at| at as f64) };
+            let number = number.or_else(|| found.parse().ok());
+            *field = number.ok_or_else(|| wrong(found, "a number"))?;
         }
+        Self::new(fields)
     }
 
     /// The refusal of data that are not those of all points.
-    fn wrong(&self, found: impl std::fmt::Display, required: String) -> TopographyError {
-        refuse(
-            "sdf data",
-            found,
-            format!("{required}, for {} x {} points", self.columns, self.rows),
-        )
+    fn wrong(&self, found: impl Display, required: impl Display) -> TopographyError {
+        let Self { columns, count, .. } = self;
+        let required = format!("{required}, for {columns} x {} points", count / columns);
+        refuse("sdf data", found, required)
     }
 }
 
@@ -90,40 +135,31 @@ fn mark(heights: &mut [f64], sample: Sample, bcr: bool) {
 
 fn binary(bytes: &[u8]) -> Result<(Vec<f64>, Header), TopographyError> {
     let short = || refuse("sdf header", format!("{} bytes", bytes.len()), "a whole header");
-    // Name of the manufacturer and two dates are skipped.
-    let rest = bytes.get(8 + 10 + 12 + 12..).ok_or_else(short)?;
-    let (columns, rows, rest) = match bytes.get(5..8) {
-        Some(b"1.0" | b"0.0") => {
-            let ([a, b, c, d], rest) = rest.split_first_chunk::<4>().ok_or_else(short)?;
-            (u16::from_le_bytes([*a, *b]).into(), u16::from_le_bytes([*c, *d]).into(), rest)
-        }
-        Some(b"2.0") => {
-            let (counts, rest) = rest.split_first_chunk::<8>().ok_or_else(short)?;
-            let counts = u64::from_le_bytes(*counts);
-            (counts & 0xffff_ffff, counts >> 32, rest)
-        }
+    let count = match bytes.get(5..8) {
+        Some(b"1.0" | b"0.0") => *b"u2",
+        Some(b"2.0") => *b"u4",
         other => {
             let found = String::from_utf8_lossy(other.unwrap_or_default());
             return Err(refuse("sdf version", found, "1.0 or 2.0"));
         }
     };
-    let (numbers, rest) = rest.split_first_chunk::<32>().ok_or_else(short)?;
-    let ([compression, data_type, check], data) = rest.split_first_chunk().ok_or_else(short)?;
-    let number = |i: usize| f64::from_le_bytes(std::array::from_fn(|k| numbers[8 * i + k]));
-    let header = Header {
-        columns,
-        rows,
-        scales: [number(0), number(1), number(2)],
-        packing: [*compression, *check],
-        data_type: *data_type,
-    };
-    let (n, sample) = header.points()?;
-    let needed = n * sample.size;
-    let found = || header.wrong(format!("{} bytes", data.len()), needed.to_string());
-    let whole = data.get(..needed).ok_or_else(found)?;
-    let mut heights = Vec::with_capacity(n);
-    sample.decode(whole, &mut heights);
-    mark(&mut heights, sample, is_bcr(bytes));
+    let mut rest = Bytes(bytes);
+    // The version, the name of the manufacturer and two dates.
+    rest.take(8 + 10 + 12 + 12).ok_or_else(short)?;
+    let mut fields = [0.0; 8];
+    let types = [count, count, *b"f8", *b"f8", *b"f8", *b"u1", *b"u1", *b"u1"];
+    for (at, name) in types.into_iter().enumerate() {
+        // The resolution of heights.
+        let skipped = if at == 5 { 8 } else { 0 };
+        rest.take(skipped).ok_or_else(short)?;
+        fields[at] = rest.number(name).ok_or_else(short)?;
+    }
+    let header = Header::new(fields)?;
+    let (n, needed) = (rest.0.len(), header.count * header.sample.size);
+    let data = rest.take(needed).ok_or_else(|| header.wrong(format!("{n} bytes"), needed))?;
+    let mut heights = Vec::with_capacity(header.count);
+    header.sample.decode(data, &mut heights);
+    mark(&mut heights, header.sample, is_bcr(bytes));
     Ok((heights, header))
 }
 
@@ -136,10 +172,10 @@ fn text(bytes: &[u8]) -> Result<(Vec<f64>, Header), TopographyError> {
         line[..end].trim_ascii()
     });
     let header = Header::of_lines(lines.clone().take_while(|line| line != b"*"))?;
-    let (n, sample) = header.points()?;
+    let n = header.count;
     // A number and its separator take two bytes.
     if n / 2 > bytes.len() {
-        return Err(header.wrong(format!("{} bytes", bytes.len()), n.to_string()));
+        return Err(header.wrong(format!("{} bytes", bytes.len()), n));
     }
     let mut heights = Vec::with_capacity(n);
     // Gwyddion does not end the data of a BCR file.
@@ -163,7 +199,7 @@ fn text(bytes: &[u8]) -> Result<(Vec<f64>, Header), TopographyError> {
         return Err(refuse("sdf data", "the end of the file", "a line with * after the numbers"));
     }
     if bcr {
-        mark(&mut heights, sample, bcr);
+        mark(&mut heights, header.sample, bcr);
     }
     Ok((heights, header))
 }
@@ -174,47 +210,4 @@ fn height(word: &[u8]) -> Option<f64> {
     }
     let number: f64 = std::str::from_utf8(word).ok()?.parse().ok()?;
     number.is_finite().then_some(number)
-}
-
-impl Header {
-    /// The header of lines `Name = value`.
-    fn of_lines<'a>(
-        lines: impl Iterator<Item = &'a [u8]> + Clone,
-    ) -> Result<Self, TopographyError> {
-        let value = |name: &str| {
-            lines.clone().find_map(|line| {
-                let (found, value) = std::str::from_utf8(line).ok()?.split_once('=')?;
-                found.trim().eq_ignore_ascii_case(name).then_some(value.trim())
-            })
-        };
-        let wrong =
-            |name: &str, found: &str, required| refuse(format!("sdf {name}"), found, required);
-        let there =
-            |name| value(name).ok_or_else(|| wrong(name, "nothing", "this field in the header"));
-        let count = |name| {
-            let found = there(name)?;
-            found.parse::<u64>().map_err(|_| wrong(name, found, "a whole number"))
-        };
-        let scale = |name| {
-            let found = there(name)?;
-            found.parse::<f64>().map_err(|_| wrong(name, found, "a number"))
-        };
-        let none = |name| match value(name).map(str::to_ascii_lowercase).as_deref() {
-            None | Some("null" | "none") => Ok(0),
-            Some(found) => found.parse().map_err(|_| wrong(name, found, "0: none")),
-        };
-        let (columns, rows) = (count("NumPoints")?, count("NumProfiles")?);
-        let y = if rows == 1 && value("Yscale").is_none() { "Xscale" } else { "Yscale" };
-        // Doubles, if the header does not say so: numbers of text have no other limits.
-        let kind = value("DataType").unwrap_or("7");
-        let named = NAMES.iter().position(|name| kind.eq_ignore_ascii_case(name));
-        let data_type = named.map(|at| at as u8).or_else(|| kind.parse().ok());
-        Ok(Self {
-            columns,
-            rows,
-            scales: [scale("Xscale")?, scale(y)?, scale("Zscale")?],
-            packing: [none("Compression")?, none("CheckType")?],
-            data_type: data_type.ok_or_else(|| wrong("DataType", kind, "0 to 7"))?,
-        })
-    }
 }

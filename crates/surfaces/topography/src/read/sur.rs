@@ -10,7 +10,7 @@ use asperity_core::{Code, Finding};
 use flate2::read::ZlibDecoder;
 
 use super::lines::text;
-use super::sample::Sample;
+use super::sample::{Bytes, Sample};
 use super::scan::{DEFLATE_RATIO, Scan, mirror_columns, mirror_rows, points, positive, select};
 use crate::error::{damaged, refuse};
 use crate::{LengthUnit, TopographyError};
@@ -88,8 +88,8 @@ impl<'a> Object<'a> {
             32 => Sample::new(*b"i4"),
             other => return Err(refuse("sur bits of a point", other, "16 or 32")),
         };
-        let columns = header.count(108, "number of columns")?;
-        let rows = header.count(112, "number of rows")?;
+        let columns = positive("sur number of columns", header.i32(108))? as u64;
+        let rows = positive("sur number of rows", header.i32(112))? as u64;
         let points = points(columns, rows)?;
         let size = if packed { header.i32(324) as u32 as usize } else { points * sample.size };
         let before = usize::from(header.u16(334)) + usize::from(header.u16(336));
@@ -159,28 +159,20 @@ impl<'a> Object<'a> {
 struct Header<'a>(&'a [u8; HEADER]);
 
 impl Header<'_> {
-    fn bytes<const N: usize>(&self, at: usize) -> [u8; N] {
-        std::array::from_fn(|i| self.0[at + i])
+    fn number(&self, at: usize, name: [u8; 2]) -> f64 {
+        Bytes(&self.0[at..]).number(name).unwrap_or_default()
     }
 
     fn u16(&self, at: usize) -> u16 {
-        u16::from_le_bytes(self.bytes(at))
+        self.number(at, *b"u2") as u16
     }
 
     fn i32(&self, at: usize) -> i32 {
-        i32::from_le_bytes(self.bytes(at))
-    }
-
-    fn count(&self, at: usize, field: &'static str) -> Result<u64, TopographyError> {
-        let found = self.i32(at);
-        u64::try_from(found)
-            .ok()
-            .filter(|n| *n > 0)
-            .ok_or_else(|| refuse(format!("sur {field}"), found, "at least 1"))
+        self.number(at, *b"i4") as i32
     }
 
     fn f32(&self, at: usize, field: &'static str) -> Result<f64, TopographyError> {
-        positive(format!("sur {field}"), f32::from_le_bytes(self.bytes(at)))
+        positive(format!("sur {field}"), self.number(at, *b"f4"))
     }
 
     /// Text of a fixed length, in UTF-8 or Latin 1, filled up with zeros or spaces.
@@ -199,41 +191,24 @@ impl Header<'_> {
     }
 }
 
-/// The unpacked data of exactly `size` bytes.
+/// The unpacked data of exactly `size` bytes: the number of streams, their sizes, the streams.
 fn unpack(data: &[u8], size: usize) -> Result<Vec<u8>, TopographyError> {
-    let refuse = |found: &str, required: String| refuse("sur compressed data", found, required);
-    if size / DEFLATE_RATIO > data.len() {
-        let required = format!("enough for {size} unpacked bytes");
-        return Err(refuse(&format!("{} bytes", data.len()), required));
-    }
-    let short = || refuse("a short table", "the sizes of all streams".into());
-    let number = |bytes: &[u8; 4]| u32::from_le_bytes(*bytes) as usize;
-    let (count, table) = data.split_first_chunk().ok_or_else(short)?;
-    let table_size = number(count).checked_mul(8).ok_or_else(short)?;
-    let (table, mut streams) = table.split_at_checked(table_size).ok_or_else(short)?;
-    let sizes = table.as_chunks().0.as_chunks().0;
-    let wrong_size =
-        |found: String| refuse(&found, format!("{size} bytes for the points of the header"));
-    let mut unpacked = Vec::with_capacity(size);
-    for [plain, packed] in sizes {
-        let (plain, packed) = (number(plain), number(packed));
-        let wrong = |found: String| refuse(&found, format!("{plain} bytes unpacked from {packed}"));
-        let stream = streams.split_at_checked(packed);
-        let (stream, rest) = stream.ok_or_else(|| wrong(format!("{} bytes", streams.len())))?;
-        if plain > size - unpacked.len() {
-            return Err(wrong_size(format!("streams of {plain} bytes")));
+    let whole = || {
+        let mut streams = Bytes(data);
+        let count = streams.count()?;
+        let mut sizes = Bytes(streams.take(count.checked_mul(8)?)?);
+        let mut unpacked = Vec::with_capacity(size);
+        for _ in 0..count {
+            let (plain, packed) = (sizes.count()?, sizes.count()?);
+            let end = unpacked.len().checked_add(plain).filter(|end| *end <= size)?;
+            // One byte more tells whether the stream ends there, and checks its checksum.
+            let mut decoder = ZlibDecoder::new(streams.take(packed)?).take(plain as u64 + 1);
+            decoder.read_to_end(&mut unpacked).ok().filter(|_| unpacked.len() == end)?;
         }
-        let before = unpacked.len();
-        // One byte more tells whether the stream ends there, and checks its checksum.
-        let mut decoder = ZlibDecoder::new(stream).take(plain as u64 + 1);
-        decoder.read_to_end(&mut unpacked).map_err(|error| wrong(error.to_string()))?;
-        if unpacked.len() - before != plain {
-            return Err(wrong(format!("{} bytes", unpacked.len() - before)));
-        }
-        streams = rest;
-    }
-    match unpacked.len() == size {
-        true => Ok(unpacked),
-        false => Err(wrong_size(format!("{} bytes", unpacked.len()))),
-    }
+        Some(unpacked).filter(|unpacked| unpacked.len() == size)
+    };
+    let reason = "its compressed data are not those of the points in its header; copy or export the file again";
+    // A short file cannot hold so many points, and none are reserved.
+    let found = if size / DEFLATE_RATIO > data.len() { None } else { whole() };
+    found.ok_or_else(|| damaged("sur", reason))
 }

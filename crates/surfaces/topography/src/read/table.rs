@@ -3,11 +3,12 @@
 use super::blocks::Block;
 use super::header::{Header, no_unit};
 use super::lines::{COMMENT, Delimiter, value};
-use super::points::grid;
+use super::points::{deviation, grid, step};
 use super::profile::profile;
-use super::scan::{ReadOptions, Scan, agree, is_code, mirror_rows, points, transposed};
+use super::scan::{ReadOptions, Scan, agree, is_code, mirror_rows, points};
 use super::words::{meanings, named, unit_meaning};
-use crate::error::{excerpt, refuse, refuse_line, undecided};
+use crate::error::{excerpt, refuse, refuse_line, undecided, unknown_name};
+use crate::topography::transposed;
 use crate::{Distance, LengthUnit, TopographyError};
 
 /// How the columns of a table are read.
@@ -61,7 +62,10 @@ pub(super) fn scan(
         None => header.unit()?,
         unit => unit,
     };
-    scan.factor = header.factor(scan.unit.or(options.height_unit()).is_some())?;
+    if let Some((factor, note)) = header.factor(scan.unit.or(options.height_unit()).is_some())? {
+        scan.factor = Some(factor);
+        scan.notes.extend(Some(note).filter(|_| factor.total_cmp(&1.0).is_ne()));
+    }
     Ok(scan)
 }
 
@@ -180,9 +184,7 @@ fn by_option(text: &str, names: &[Column]) -> Result<Layout, TopographyError> {
             Layout::Columns([place("x"), place("y"), place("z"), at("valid")])
         }
         _ => {
-            let names = format!("for {n} columns {LAYOUTS}");
-            let (field, found) = ("columns", excerpt(text));
-            return Err(TopographyError::UnknownName { field, found, names });
+            return Err(unknown_name("columns", text, format!("for {n} columns {LAYOUTS}")));
         }
     })
 }
@@ -269,22 +271,6 @@ fn by_numbers(block: &Block, header: &Header) -> Result<Layout, TopographyError>
 
 fn column(block: &Block, at: usize, from: usize) -> Vec<f64> {
     block.values.chunks(block.columns).skip(from).map(|row| row[at]).collect()
-}
-
-/// The largest distance of numbers from a line through the first and the last, in steps of the
-/// line.
-fn deviation(values: &[f64]) -> f64 {
-    let (Some(first), Some(last)) = (values.first(), values.last()) else { return f64::INFINITY };
-    let step = (last - first) / (values.len() - 1) as f64;
-    let off = |(k, value): (usize, &f64)| ((value - first) / step - k as f64).abs();
-    // NaN is the largest of all.
-    values.iter().enumerate().map(off).max_by(f64::total_cmp).unwrap_or(f64::NAN)
-}
-
-/// The step of positions, rising or falling: at least two numbers at equal distances.
-fn step(values: &[f64]) -> Option<f64> {
-    let step = (values.last()? - values.first()?) / (values.len().max(2) - 1) as f64;
-    (deviation(values) < 0.1 && step != 0.0 && step.is_finite()).then_some(step)
 }
 
 /// A matrix with positions in its first row, in its first column, or in both.

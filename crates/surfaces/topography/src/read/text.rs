@@ -2,7 +2,7 @@
 
 use super::blocks::{Block, blocks};
 use super::header::{Header, HeaderLine};
-use super::scan::{ReadOptions, Scan, select};
+use super::scan::{ReadOptions, Scan, listed, select};
 use super::{lines, table};
 use crate::TopographyError;
 use crate::error::undecided;
@@ -16,10 +16,8 @@ pub(super) fn scan(bytes: &[u8], options: &ReadOptions) -> Result<Scan, Topograp
     let names: Vec<String> = tables.iter().enumerate().map(name).collect();
     if let (None, Some((header, block))) = (&options.channel, tables.get(1)) {
         let line = header.lines.first().map_or(block.line, |first| first.line.min(block.line));
-        let shown = names.iter().take(12).enumerate();
-        let shown: Vec<_> = shown.map(|(k, name)| format!("{} {name:?}", k + 1)).collect();
         let found = "a second table".to_owned();
-        return Err(undecided(format!("line {line}"), found, "channel", &shown.join(", ")));
+        return Err(undecided(format!("line {line}"), found, "channel", &listed(&names)));
     }
     let (at, _) = select(&names, options.channel.as_deref())?;
     let (header, block) = tables.swap_remove(at);

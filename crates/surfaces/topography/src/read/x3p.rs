@@ -6,7 +6,6 @@ use std::io::{Cursor, ErrorKind, Read};
 
 use zip::ZipArchive;
 
-use super::npy;
 use super::points::grid;
 use super::profile::profile;
 use super::scan::{DEFLATE_RATIO, Scan, mirror_columns, mirror_rows, points};
@@ -26,9 +25,6 @@ type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| damaged("x3p", CUT_SHORT))?;
-    if archive.file_names().flatten().any(|name| name.ends_with(".npy")) {
-        return Err(npy::archive(bytes));
-    }
     let (folder, xml) = main_xml(&mut archive)?;
     let description = Description::parse(&xml)?;
     drop(xml);
@@ -76,7 +72,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
             *number = finite * stored.step + stored.offset;
         }
     }
-    let unit = Some(LengthUnit::Metre);
+    let unit = Some(LengthUnit::METRE);
     if description.stored.len() == 3 {
         let placed = |point: &&[f64]| point.iter().take(2).all(|place| !place.is_nan());
         let placed = numbers.chunks(3).filter(placed).flatten().copied().collect();

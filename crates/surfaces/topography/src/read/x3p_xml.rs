@@ -56,31 +56,32 @@ impl Description {
         };
         let [columns, rows] = dimensions(root)?;
         let line = profile && rows == 1;
-        let mut stored = vec![];
-        let mut axis = |name: &str, placed: bool, required: &str| {
-            let (increment, coordinate) = axis(root, name)?;
-            if coordinate.is_some() && !placed {
-                return Err(refuse(format!("x3p {name} AxisType"), "A", required));
+        let (mut stored, mut increments) = (vec![], [None; 2]);
+        for (k, axis) in ["CX", "CY"].into_iter().enumerate() {
+            let placed = cloud || line && k == 0;
+            let required = match (cloud, placed) {
+                (true, _) => "A: points with positions in x and y",
+                (_, true) => "I (equal distances) or A (positions)",
+                _ => "I: points at equal distances",
+            };
+            let path = |name| ["Record1", "Axes", axis, name];
+            match text(root, &path("AxisType")) {
+                // A profile has no distance of rows.
+                found if line && k == 1 && found.as_ref().map_or(true, |kind| *kind != "A") => {
+                    increments[1] = increments[0];
+                }
+                Ok("I") if !cloud => {
+                    let absent = || refuse(place(&path("Increment")), "nothing", "a length in m");
+                    let found = number(root, &path("Increment"))?;
+                    increments[k] = Some(found.ok_or_else(absent)?);
+                }
+                Ok("A") if placed => stored.push(coordinate(root, axis)?),
+                found => return Err(refuse(place(&path("AxisType")), found?, required)),
             }
-            stored.extend(coordinate);
-            Ok(increment)
-        };
-        let equal = "I: points at equal distances";
-        let x = axis("CX", cloud || line, equal)?;
-        let y = match line {
-            // Only its increment would be absent.
-            true if axis_type(root, "CY").is_ok_and(|kind| kind == "A") => {
-                return Err(refuse("x3p CY AxisType", "A", "I: a profile along x"));
-            }
-            true => x,
-            false => axis("CY", cloud, equal)?,
-        };
-        if cloud && stored.len() != 2 {
-            return Err(refuse("x3p AxisType", "I", "A: points with positions in x and y"));
         }
         stored.push(coordinate(root, "CZ")?);
         let data = Data::read(root, stored.len())?;
-        Ok(Self { columns, rows, increments: [x, y], stored, data })
+        Ok(Self { columns, rows, increments, stored, data })
     }
 }
 
@@ -129,30 +130,6 @@ fn dimensions(root: Node<'_, '_>) -> Result<[u64; 2], TopographyError> {
         return Err(refuse("x3p SizeZ", layers, "1: a single layer"));
     }
     Ok([size("SizeX")?, size("SizeY")?])
-}
-
-fn axis_type<'a>(root: Node<'a, '_>, axis: &str) -> Result<&'a str, TopographyError> {
-    text(root, &["Record1", "Axes", axis, "AxisType"])
-}
-
-/// The increment of an axis of equal distances, or else its stored coordinate.
-fn axis(
-    root: Node<'_, '_>,
-    axis: &str,
-) -> Result<(Option<f64>, Option<Coordinate>), TopographyError> {
-    match axis_type(root, axis)? {
-        "I" => {
-            let required = "the distance of the points in m";
-            let found = number(root, &["Record1", "Axes", axis, "Increment"])?;
-            let absent = || refuse(format!("x3p {axis} Increment"), "nothing", required);
-            Ok((Some(found.ok_or_else(absent)?), None))
-        }
-        "A" => Ok((None, Some(coordinate(root, axis)?))),
-        other => {
-            let required = "I (equal distances) or A (positions)";
-            Err(refuse(format!("x3p {axis} AxisType"), other, required))
-        }
-    }
 }
 
 fn coordinate(root: Node<'_, '_>, axis: &str) -> Result<Coordinate, TopographyError> {

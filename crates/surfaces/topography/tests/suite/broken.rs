@@ -8,7 +8,7 @@ use crate::hostile::{lenient, npy, npy_of, waves};
 
 /// Measuring a surface from any input does not panic.
 fn measure(name: &str, bytes: &[u8]) {
-    for options in [lenient(), ReadOptions { max_missing: 1.0, ..ReadOptions::default() }] {
+    for options in [lenient(), ReadOptions { max_missing: Some(1.0), ..ReadOptions::default() }] {
         let Ok(surface) = read_bytes(name, bytes, &options) else { continue };
         for level in [Level::None, Level::Mean, Level::Plane, Level::Quadratic] {
             let Ok(levelled) = surface.clone().level(level) else { continue };
@@ -19,7 +19,7 @@ fn measure(name: &str, bytes: &[u8]) {
                     assert!(surface.is_err() || surface.unwrap().check().is_ok());
                 }
             }
-            if let Ok(density) = levelled.height_density() {
+            if let Ok(density) = levelled.summits().and_then(|summits| summits.height_density()) {
                 assert!(density.density_per_m.iter().all(|density| *density >= 0.0));
             }
             let _ = levelled.clone().despiked().map(|surface| surface.outliers());

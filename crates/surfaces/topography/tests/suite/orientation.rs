@@ -2,7 +2,7 @@
 
 #![allow(clippy::float_cmp, reason = "tests")]
 
-use asperity_topography::{Distance, LengthUnit, ReadOptions, Topography, read_bytes};
+use asperity_topography::{Distance, ReadOptions, Topography, read_bytes};
 
 use crate::files::{Sur, X3p, gwy, gwy_field, gzip, item, sdf, sdf_text, x3p_of};
 
@@ -114,9 +114,9 @@ fn an_asymmetric_map_is_equal_in_all_formats() {
 #[test]
 fn every_beginning_of_a_file_gives_an_error_or_fewer_rows() {
     let lenient = ReadOptions {
-        unit: Some(LengthUnit::Micrometre),
+        unit: Some("um".parse().unwrap()),
         pixel_size: Some([5.0, 2.5].map(Distance::from)),
-        max_missing: 1.0,
+        max_missing: Some(1.0),
         ..ReadOptions::default()
     };
     for (name, bytes) in files() {

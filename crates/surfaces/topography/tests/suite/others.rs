@@ -1,6 +1,6 @@
 //! Channels, masks, lists and marks of missing points in formats of other programs.
 
-use asperity_topography::{LengthUnit, ReadOptions, read_bytes};
+use asperity_topography::{ReadOptions, read_bytes};
 
 use crate::files::{
     Sur, X3p, archive, gwy, gwy_field, item, object, sdf, sdf_text, x3p_of, zeroed,
@@ -15,7 +15,7 @@ fn message(name: &str, bytes: &[u8], options: &ReadOptions) -> String {
 }
 
 fn channel(name: &str) -> ReadOptions {
-    ReadOptions { channel: Some(name.to_owned()), max_missing: 1.0, ..ReadOptions::default() }
+    ReadOptions { channel: Some(name.to_owned()), max_missing: Some(1.0), ..ReadOptions::default() }
 }
 
 #[test]
@@ -95,7 +95,7 @@ fn infinite_heights_and_lists_of_x3p_are_read() {
     let mut heights = map();
     (heights[3], heights[4], heights[5]) = (f64::INFINITY, f64::NEG_INFINITY, f64::NAN);
     let data = heights.iter().flat_map(|z| metres(*z)).collect();
-    let options = ReadOptions { max_missing: 0.2, ..ReadOptions::default() };
+    let options = ReadOptions { max_missing: Some(0.2), ..ReadOptions::default() };
     let surface = read_bytes("a.x3p", &x3p_of(&X3p { data, ..X3p::default() }), &options).unwrap();
     assert!((surface.missing_share() - 0.15).abs() < 1e-12 && surface.heights()[4].is_nan());
     // Heights in main.xml, one of them missing.
@@ -130,7 +130,7 @@ fn infinite_heights_and_lists_of_x3p_are_read() {
 }
 
 fn channel_free() -> ReadOptions {
-    ReadOptions { max_missing: 0.5, ..ReadOptions::default() }
+    ReadOptions { max_missing: Some(0.5), ..ReadOptions::default() }
 }
 
 #[test]
@@ -194,7 +194,7 @@ fn texts_of_instruments_are_read() {
     assert!(surface.heights()[1].is_nan() && (surface.heights()[2] / 3e-6 - 1.0).abs() < 1e-12);
     // Points with a word of two words.
     let text = "0 0 1\n1 0 No Data\n0 1 3\n1 1 4\n";
-    let in_um = ReadOptions { unit: Some(LengthUnit::Micrometre), ..options };
+    let in_um = ReadOptions { unit: Some("um".parse().unwrap()), ..options };
     let surface = read_bytes("a.xyz", text.as_bytes(), &in_um).unwrap();
     assert!(surface.heights()[1].is_nan() && (surface.missing_share() - 0.25).abs() < 1e-12);
 }

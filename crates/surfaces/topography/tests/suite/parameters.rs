@@ -98,6 +98,21 @@ fn parameters_are_those_of_surfalize() {
 }
 
 #[test]
+fn functional_parameters_of_a_profile_are_those_of_surfalize() {
+    let row = open(1.0).heights()[..COLUMNS].to_vec();
+    let found = Topography::new(row, COLUMNS, [0.5e-6; 2]).unwrap().functional().unwrap();
+    let of = |name: &str| found.iter().find(|row| row.name == name).unwrap().value.unwrap();
+    let rows = rows("profile", 0);
+    assert_eq!(rows.len(), 5);
+    for (name, _, value) in rows {
+        let unit = if ["rk", "rz"].contains(&&*name) { 1e-6 } else { 1.0 };
+        assert!((of(&name) / (value * unit) - 1.0).abs() < 1e-11, "{name}: {found:?}");
+    }
+    let names: Vec<_> = found.iter().map(|row| row.name).collect();
+    assert_eq!(names, ["rk", "rpk", "rvk", "rmr1", "rmr2", "rz", "rsm", "rdq"]);
+}
+
+#[test]
 fn spectra_are_those_of_surface_topography() {
     let spectra = periodic().spectra().unwrap();
     let radial = spectra.radial.unwrap();

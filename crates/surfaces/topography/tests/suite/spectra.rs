@@ -246,15 +246,6 @@ fn a_load_on_the_density_is_the_load_on_the_summits() {
 }
 
 #[test]
-fn an_anisotropic_surface_has_a_warning() {
-    let surface = rough();
-    let stretched = Topography::new(surface.heights().to_vec(), 768, [1e-6, 3e-6]).unwrap();
-    let warnings = stretched.statistics(Estimator::Moments).unwrap().warnings;
-    let anisotropic = |warning: &Finding| warning.code == "anisotropic";
-    assert!(warnings.iter().any(anisotropic), "{warnings:?}");
-}
-
-#[test]
 fn a_flat_surface_is_refused_and_a_regular_one_has_statistics_without_asperities() {
     let flat = Topography::new(vec![1e-6; 100], 10, [1e-6; 2]).unwrap();
     let flat = flat.statistics(Estimator::Moments);

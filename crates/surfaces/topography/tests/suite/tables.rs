@@ -56,7 +56,7 @@ fn a_second_table_is_a_second_image() {
             "unit=nm pixel=0.25um channel=3",
             "",
         ),
-        (format!("{0},,\n{0}", COMMA.matrix(|z| z)), first, "has 3 numbers"),
+        (format!("{0},,\n{0}", COMMA.matrix(|z| z)), first, "a row of 3"),
         // A comment, a broken row, a last word and metadata behind the table are none.
         (gwy("nm") + "# exported\n" + "# by hand\n", "", ""),
         (gwy("nm").replacen('\n', "\n# note: 3\n", 9), "", ""),
@@ -66,6 +66,21 @@ fn a_second_table_is_a_second_image() {
         (gwy("nm") + "the end of it\n", "", "line 23"),
         (gwy("nm") + "12 x\n", "", "line 23"),
         (gwy("nm").replacen("\t", "\tx", 3), "", "line 5"),
+    ]);
+}
+
+#[test]
+fn commas_between_and_within_numbers_are_refused() {
+    let (gwy, both) = (gwyddion(ENGLISH, "nm"), Style(", ", ",", ""));
+    cases([
+        (gwy.clone() + &both.matrix(|z| z), "", "delimiter"),
+        (gwy.clone() + &both.matrix(|z| z), "delimiter=", ""),
+        (gwy.clone() + &both.matrix(|z| z), "delimiter=,", "delimiter"),
+        (both.points(|x, y, z| vec![x, y, z]), "units=um,nm", "delimiter"),
+        (both.points(|x, y, z| vec![x, y, z]), "units=um,nm delimiter=", ""),
+        (gwy.clone() + &Style(", ", ".", "").matrix(|z| z), "", ""),
+        (gwy.clone() + &Style(", ", ",", "\"").matrix(|z| z), "", ""),
+        (gwy + &Style(" ", ",", "").matrix(|z| z), "", ""),
     ]);
 }
 
@@ -91,6 +106,9 @@ fn columns_that_are_no_heights_are_refused() {
             (0..COLUMNS).map(|j| style.line([STEP * j as f64, z(0, j)])).collect::<String>()
         )
     };
+    let one = |name: &str| {
+        format!("{name}\n") + &(0..COLUMNS).map(|j| format!("{}\n", z(0, j))).collect::<String>()
+    };
     let none = "a column of heights was required";
     cases([
         (two("x(mm)\tSlope (urad)", TAB), "", none),
@@ -104,22 +122,8 @@ fn columns_that_are_no_heights_are_refused() {
         (two("#x gradient", Style(" ", ".", "")), "units=um,nm", none),
         (two("X;Y\n[um];[V]", GERMAN), "unit=nm", none),
         (two("x (um)\tz (V)", TAB), "unit=nm columns=x,z", "a unit of length was required"),
-        (
-            format!(
-                "Slope (urad)\n{}",
-                (0..COLUMNS).map(|j| format!("{}\n", z(0, j))).collect::<String>()
-            ),
-            "unit=nm pixel=0.25um",
-            none,
-        ),
-        (
-            format!(
-                "intensity\n{}",
-                (0..COLUMNS).map(|j| format!("{}\n", z(0, j))).collect::<String>()
-            ),
-            "unit=nm pixel=0.25um",
-            none,
-        ),
+        (one("Slope (urad)"), "unit=nm pixel=0.25um", none),
+        (one("intensity"), "unit=nm pixel=0.25um", none),
         (two("x(um)\tz (nm)", TAB), "", ""),
         (two("x [um];z [nm]", GERMAN), "", ""),
         (two("x_um y_nm", Style(" ", ".", "")), "", ""),

@@ -1,8 +1,6 @@
 //! One map in the dialects of instruments and programs is read as the map.
 
-use asperity_topography::{
-    LengthUnit, ReadOptions, Topography, TopographyError, read_bytes, read_header,
-};
+use asperity_topography::{ReadOptions, Topography, TopographyError, read_bytes, read_header};
 
 pub const COLUMNS: usize = 24;
 pub const ROWS: usize = 18;
@@ -75,7 +73,7 @@ pub const LANGUAGES: [[&str; 4]; 10] = [
 ];
 
 pub fn options(text: &str) -> ReadOptions {
-    let mut options = ReadOptions { max_missing: 0.5, ..ReadOptions::default() };
+    let mut options = ReadOptions { max_missing: Some(0.5), ..ReadOptions::default() };
     for (key, value) in text.split_whitespace().map(|pair| pair.split_once('=').unwrap()) {
         match key {
             "unit" => options.unit = Some(value.parse().unwrap()),
@@ -88,7 +86,8 @@ pub fn options(text: &str) -> ReadOptions {
             "missing" => options.missing = Some(value.parse().unwrap()),
             "factor" => options.factor = Some(value.parse().unwrap()),
             "channel" => options.channel = Some(value.into()),
-            "delimiter" => options.delimiter = value.chars().next(),
+            // A blank would part the options.
+            "delimiter" => options.delimiter = value.chars().next().or(Some(' ')),
             _ => panic!("{key}"),
         }
     }
@@ -115,13 +114,11 @@ pub fn check(name: &str, surface: &Topography) {
 /// requested, or a part of the message.
 pub fn cases<'a>(cases: impl IntoIterator<Item = (String, &'a str, &'a str)>) {
     for (k, (text, given, expected)) in cases.into_iter().enumerate() {
-        for bytes in [
-            text.clone().into_bytes(),
-            format!("\u{feff}{}", text.replace('\n', "\r\n"))
-                .encode_utf16()
-                .flat_map(u16::to_le_bytes)
-                .collect(),
-        ] {
+        let units = format!("\u{feff}{}", text.replace('\n', "\r\n"));
+        let utf16 = units.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let latin: Option<Vec<u8>> =
+            text.chars().map(|c| u8::try_from(u32::from(c)).ok()).collect();
+        for bytes in [text.clone().into_bytes(), utf16].into_iter().chain(latin) {
             let name =
                 format!("case {k}, {given:?}, {:?}", text.chars().take(90).collect::<String>());
             match read_bytes("a.txt", &bytes, &options(given)) {
@@ -158,6 +155,8 @@ fn headers_of_instruments() {
             style.matrix(|z| z / 1e3)
         )
     };
+    let english = ["Measured date", "XY Calibration", "Horizontal", "Vertical", "Unit", "Height"];
+    let german = ["Gemessenes Datum", "XY-Justierung", "Horizont.", "Vertikal", "Einheit", "Höhe"];
     let quoted = Style(",", ".", "\"");
     let nova = |rest: &str| {
         format!(
@@ -217,38 +216,10 @@ fn headers_of_instruments() {
             "",
         ),
         (nova("Scale Data = 0.5\nDataScaleNeeded = No") + &plain(), "", ""),
-        (
-            keyence(
-                ["Measured date", "XY Calibration", "Horizontal", "Vertical", "Unit", "Height"],
-                quoted,
-            ),
-            "",
-            "",
-        ),
-        (
-            keyence(
-                ["Measured date", "XY Calibration", "Horizontal", "Vertical", "Unit", "Height"],
-                Style(";", ".", "\""),
-            ),
-            "",
-            "",
-        ),
-        (
-            keyence(
-                ["Gemessenes Datum", "XY-Justierung", "Horizont.", "Vertikal", "Einheit", "Höhe"],
-                Style(";", ",", "\""),
-            ),
-            "",
-            "",
-        ),
-        (
-            keyence(
-                ["Gemessenes Datum", "XY-Justierung", "Horizont.", "Vertikal", "Einheit", "Höhe"],
-                Style(",", ",", "\""),
-            ),
-            "",
-            "",
-        ),
+        (keyence(english, quoted), "", ""),
+        (keyence(english, Style(";", ".", "\"")), "", ""),
+        (keyence(german, Style(";", ",", "\"")), "", ""),
+        (keyence(german, Style(",", ",", "\"")), "", ""),
         (keyence(["측정 일시", "XY캘리브레이션", "가로", "세로", "단위", "높이"], quoted), "", ""),
         (keyence(["日期", "XY校准", "水平", "垂直", "单位", "高度"], quoted), "", ""),
         (wyko(0, &|z| 2.0 * z), "", ""),
@@ -346,6 +317,13 @@ fn factors_of_headers_have_many_names() {
         (twice("Bit2nm = 0.5"), "factor=0", "factor is 0"),
         (format!("{gwy}# Magnification factor = 50\n{}", plain()), "unit=nm", ""),
     ]);
+    let notes = |line: &str, of: f64| -> Vec<f64> {
+        let text = format!("{gwy}# {line}\n{}", TAB.matrix(|z| of * z));
+        let notes = read_bytes("a.txt", text.as_bytes(), &options("unit=nm")).unwrap();
+        notes.notes().iter().filter(|note| note.code == "factor").map(|note| note.value).collect()
+    };
+    assert_eq!(notes("Multiplier: 0.5", 2.0), [0.5]);
+    assert!(notes("Multiplier: 1", 1.0).is_empty() && notes("Unit: nm", 1.0).is_empty());
 }
 
 #[test]
@@ -366,5 +344,5 @@ fn every_line_of_a_header_is_understood_or_listed() {
         found[2].text.contains("21.5")
             && read_header("a.txt", b"no", &ReadOptions::default()).is_err()
     );
-    assert!(options("units=um,nm").units.is_some_and(|units| units[1] == LengthUnit::Nanometre));
+    assert!(options("units=um,nm").units.is_some_and(|units| units[1] == "nm".parse().unwrap()));
 }

@@ -60,7 +60,7 @@ fn refused_files_and_surfaces() {
     ] {
         let refused = match name {
             "a.sur" | "a.gwy" | "a.sdf" | "a.x3p" => ReadOptions::default(),
-            _ => ReadOptions { max_missing: 0.5, ..lenient() },
+            _ => ReadOptions { max_missing: Some(0.5), ..lenient() },
         };
         let refused = read_bytes(name, &bytes, &refused).unwrap_err();
         said(&format!("{name}: {what}"), refused.to_string());
