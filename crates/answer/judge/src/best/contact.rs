@@ -168,8 +168,8 @@ impl<M: Answering> BestContact<M> {
     }
 
     /// What boundary elements are expected to give. Under loads lighter than all solved ones, and
-    /// without an interval above the heaviest at which a quantity is stated, its ratio to the nearest
-    /// model is kept.
+    /// without an interval above the heaviest at which a quantity is stated, its ratio to the
+    /// nearest model is kept.
     pub(super) fn expected_value(&self, of: Compared, pressure: f64) -> Option<Known> {
         let place = self.place(At::Pressure(pressure));
         let expected = place.expected.as_ref().ok()?;
