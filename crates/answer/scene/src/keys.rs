@@ -5,7 +5,7 @@
 use asperity::{Body, Interface, Surface, UNITS, Units};
 
 use crate::curvature::Curvature;
-use crate::spec::{Gas, SceneSpec, SurfaceSpec};
+use crate::gap::Gas;
 
 /// A key of a scene file.
 #[derive(Debug, Clone, Copy)]
@@ -106,10 +106,9 @@ macro_rules! keys {
 }
 
 keys! {
-    "" Scene numbers SCENE in SceneSpec {
+    "" Scene {
         nominal_area("m^2" ", the apparent area of contact"
             also "a_n area" "" form "Nominal area" "1 cm2")
-    } {
         rigid_counterface("" "with one [[body]] only: the counterface is rigid")
         work_of_adhesion("J/m^2" ", of the two bodies together; only dmt and jkr need it"
             also "adhesion adhesion_energy surface_energy energy_of_adhesion gamma"
@@ -255,20 +254,6 @@ keys! {
         hurst_exponent("" "of a power-law spectrum for the gaps of persson: without a scan, or instead of it")
     }
 }
-
-/// The numbers of one rough surface beside those that describe it.
-pub(crate) const OWN: &[Field<SurfaceSpec>] = &[
-    Field {
-        name: "mean_plane_offset",
-        get: |of| of.mean_plane_offset,
-        set: |of, value| of.mean_plane_offset = Some(value),
-    },
-    Field {
-        name: "peklenik_number",
-        get: |of| of.peklenik_number,
-        set: |of, value| of.peklenik_number = Some(value),
-    },
-];
 
 impl<T> Field<T> {
     /// The one of a key, if there is one.

@@ -8,9 +8,10 @@ use asperity::{ContactError, Interface, Pair, ProfileMoments, Scene, Surface, po
 use asperity_topography::Statistics;
 
 use crate::finish::Drawing;
+use crate::gap::Gas;
 use crate::keys::COUNTERFACE;
 use crate::measured::Measured;
-use crate::spec::{Bodies, Gas, SceneSpec, SurfaceSpec};
+use crate::spec::{Bodies, SceneSpec, SurfaceSpec};
 
 /// A number of a section that is out of range.
 #[derive(Debug)]

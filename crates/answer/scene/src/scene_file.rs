@@ -9,12 +9,13 @@ use asperity::{
 use asperity_topography::Topography;
 
 use crate::error::SceneError;
+use crate::gap::Gas;
 use crate::input::SceneInput;
 use crate::measured::{Measured, Scan};
 use crate::origin::Provenance;
 use crate::resolve::resolve;
 use crate::roughness::Roughness;
-use crate::spec::{Bodies, Description, Gas, HeightsSpec, SceneSpec};
+use crate::spec::{Bodies, Description, HeightsSpec, SceneSpec};
 use crate::unknown::Unknown;
 
 /// A scene with what was written about it, and where.

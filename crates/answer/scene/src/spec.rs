@@ -7,10 +7,10 @@ use asperity::{
     Body, Code, ContactError, Datum, HeightDistribution, Interface, ProfileMoments,
     TabulatedHeights,
 };
-use serde::Serialize;
 
 use crate::curvature::Curvature;
 use crate::finish::Drawing;
+use crate::gap::Gas;
 use crate::keys::COUNTERFACE;
 use crate::materials::Material;
 use crate::measured::{Measured, Scan};
@@ -62,15 +62,6 @@ pub enum Bodies {
     },
     /// Their equivalent properties.
     Interface(Interface),
-}
-
-/// A gas or liquid in the gap between the surfaces.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Gas {
-    /// Its thermal conductivity \[W/(m K)\], above 0.
-    pub gas_conductivity: f64,
-    /// Its temperature-jump distance \[m\], 0 for a liquid.
-    pub gas_parameter: f64,
 }
 
 /// One rough surface.

@@ -6,10 +6,8 @@ use asperity::{
 
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
-use crate::input::{Of, SceneInput};
-use crate::keys::{
-    BODY, CURVATURE, Field, GAP, INTERFACE, Key, MECHANICAL, OF_PAIR, OWN, SCENE, key_of_input,
-};
+use crate::input::{OWN, Of, SCENE, SceneInput};
+use crate::keys::{BODY, CURVATURE, Field, GAP, INTERFACE, Key, MECHANICAL, OF_PAIR, key_of_input};
 use crate::roughness::{Roughness, Way};
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
