@@ -266,7 +266,6 @@ const MEASUREMENTS: &[&str] = &[
     "load_N,area_m2\n1,2,\n",
     "load_N\n# by hand\n1e400\n",
     "load_N area_m2\n1 2\n",
-    "load_N,area_m2\n[kN],mm2\n1,2\n",
     "load_N,area_m2\n",
     "load_N,area_m2\n1,500'000.0\n",
     "load_N,area_m2\n1,12\u{202f}500\n",
