@@ -11,6 +11,9 @@ use crate::TopographyError;
 use crate::error::unknown_name;
 use crate::read::{quantities, unit_meaning};
 
+/// The names of all units in ASCII.
+const NAMES: &[&str] = &["m", "cm", "mm", "um", "nm", "angstrom", "pm"];
+
 /// A unit of length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LengthUnit {
@@ -51,13 +54,14 @@ impl FromStr for LengthUnit {
         let found = units_of("m").into_iter().find(|(name, _)| known == Some(name));
         found
             .map(|(name, metres)| Self { name, metres })
-            .ok_or_else(|| unknown_name("unit", text, "m, cm, mm, um, nm, angstrom or pm"))
+            .ok_or_else(|| unknown_name("unit", text, format!("one of {}", NAMES.join(", "))))
     }
 }
 
 impl<'de> Deserialize<'de> for LengthUnit {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        String::deserialize(deserializer)?.parse().map_err(D::Error::custom)
+        let text = String::deserialize(deserializer)?;
+        text.parse().map_err(|_| D::Error::unknown_variant(&text, NAMES))
     }
 }
 
