@@ -108,7 +108,7 @@ impl<'s> Inquiry<'s> {
 
     /// Whether the bodies are curved: rows have a load or an approach.
     fn is_of_bodies(&self) -> bool {
-        self.file.spec.curvature.is_some()
+        self.file.shape().is_some()
     }
 
     /// The columns for the model and for the load or separation.
@@ -148,7 +148,7 @@ impl<'s> Inquiry<'s> {
 
     /// Whether one of the models knows intervals.
     fn has_intervals(&self) -> bool {
-        self.models.iter().any(|model| model.id() == Best::<Model>::ID)
+        !self.is_of_bodies() && self.models.iter().any(|model| model.id() == Best::<Model>::ID)
     }
 
     /// A row with the cells of its place; `wanted` has the values of the reference.

@@ -4,7 +4,7 @@
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     Advice, At, Check, Code, Contact, ContactError, ContactModel, Finding, Findings,
-    HeightDistribution, Plausible, ProfileMoments, unusual,
+    HeightDistribution, Plausible, ProfileMoments, Quantity, Request, unusual,
 };
 use asperity_topography::Statistics;
 
@@ -137,6 +137,12 @@ impl SceneFile {
             return self.check_ranges(place);
         }
         let mut check = match place {
+            Some((model, at)) if self.shape().is_some() => {
+                let request = Request::new([Quantity::Area, Quantity::Contacts]);
+                let mut check = self.check(None)?;
+                check.extend(model.compile(&self.scene, &request)?.notes(&[at]));
+                return Ok(check);
+            }
             Some((model, at)) => Check::at(model, &self.scene, at)?,
             None => Check::of(&self.scene)?,
         };
@@ -192,7 +198,9 @@ impl SceneFile {
 
     fn judge(&self, model: &dyn ContactModel, judged: impl Fn() -> Findings) -> Findings {
         let known = self.findings().for_asperities(model.validity().asperities);
-        if known.are_implausible() { Findings::default() } else { self.accepted(judged()) }
+        // Of curved bodies, what a contact notes stands in its answers.
+        let is_judged = !known.are_implausible() && self.shape().is_none();
+        if is_judged { self.accepted(judged()) } else { Findings::default() }
     }
 
     /// A warning if one body has a hardness and the other has none, which is probably an omission.

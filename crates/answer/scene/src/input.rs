@@ -2,6 +2,7 @@
 
 use asperity::{Body, Interface};
 
+use crate::curvature::Curvature;
 use crate::keys::{BODIES, COUNTERFACE, Field, Key, OF_PAIR, SECOND, key_of_input};
 use crate::spec::{Bodies, SceneSpec, SurfaceSpec};
 
@@ -18,6 +19,7 @@ pub(crate) enum Input {
     Bodies(Field<Body>),
     /// A number that describes the first surface or the second, by its key.
     Surface(bool, &'static str),
+    Curvature(Field<Curvature>),
     Scene(Number),
     Skewness,
 }
@@ -77,6 +79,7 @@ impl SceneInput {
             Input::Surface(second, key) => {
                 (if second { COUNTERFACE } else { "surface" }.into(), key)
             }
+            Input::Curvature(Field { name, .. }) => ("curvature".into(), name),
             Input::Scene((name, ..)) => {
                 let key = key_of_input(name);
                 let section = Key::find("", key).map_or("", |key| key.section);
@@ -93,6 +96,7 @@ impl Input {
         match self {
             Self::Interface(Field { name, .. }) => (*name).into(),
             Self::Bodies(Field { name, .. }) => (*name).into(),
+            Self::Curvature(Field { name, .. }) => (*name).into(),
             Self::Body(k, Field { name, .. }) => format!("{}{name}", BODIES[*k]),
             Self::Surface(second, key) => format!("{}{key}", if *second { SECOND } else { "" }),
             Self::Scene((name, ..)) => (*name).into(),

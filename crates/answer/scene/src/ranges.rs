@@ -248,6 +248,8 @@ impl SceneFile {
     ) -> Result<Check, ContactError> {
         let points = self.points()?;
         let mut check = points.middle.check(place)?;
+        // A model has the curved bodies of the middle.
+        let place = place.filter(|_| self.shape().is_none());
         // An end of assumed ranges may be an unusual surface, which the given numbers are not.
         let of_answer = |point: &Self| -> Result<Check, ContactError> {
             let (mut check, own) = (point.check(place)?, point.findings());
@@ -309,9 +311,7 @@ impl SceneFile {
         let ranges = unknowns.iter().map(range).collect::<Vec<_>>().join(", ");
         let found = Finding::note(Code::TakenAt, "at", share)
             .fact(format!("calculated {place} of the ranges of {ranges}"))
-            .advice(
-                "at lower and upper are the ends; curve, check and recommend answer with ranges",
-            );
+            .advice("at lower and upper are the ends; curve, check and answer answer with ranges");
         if unknowns.is_empty() {
             return Ok((self.clone(), None));
         }

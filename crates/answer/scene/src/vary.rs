@@ -4,10 +4,13 @@ use asperity::{
     Body, ContactError, HeightDistribution, Interface, WeibullHeights, nearest_hint, nearest_name,
 };
 
+use crate::curvature::Curvature;
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
 use crate::input::{Input, NUMBERS, SceneInput};
-use crate::keys::{BODY, Field, INTERFACE, Key, MECHANICAL, OF_PAIR, SECOND, key_of_input};
+use crate::keys::{
+    BODY, CURVATURE, Field, INTERFACE, Key, MECHANICAL, OF_PAIR, SECOND, key_of_input,
+};
 use crate::roughness::{Roughness, Way};
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
@@ -37,12 +40,24 @@ impl SceneFile {
             .map(|field| Input::Interface(*field))
             .chain(BODY.iter().filter(|_| has_bodies).map(|field| Input::Bodies(*field)))
             .chain(of_surface(false))
+            .chain(self.fields_of_curvature().map(|field| Input::Curvature(*field)))
             .chain(numbers.map(Input::Scene))
             .chain(is_skewed.then_some(Input::Skewness))
             .chain((0..self.bodies().len()).flat_map(of_body))
             .chain(of_surface(true))
             .map(|input| (input.name(), SceneInput(input)))
             .collect()
+    }
+
+    /// The keys of `[curvature]` that are given, or may be beside these.
+    fn fields_of_curvature(&self) -> impl Iterator<Item = &'static Field<Curvature>> {
+        CURVATURE.iter().filter(|field| {
+            self.spec.curvature.is_some_and(|mut bodies| {
+                let value = (field.get)(&bodies).unwrap_or(1.0);
+                (field.set)(&mut bodies, value);
+                bodies.shape().is_ok()
+            })
+        })
     }
 
     /// Whether one of [`NUMBERS`] has a meaning in this scene.
@@ -164,6 +179,7 @@ impl SceneFile {
                 let drawn = self.spec.one(second)?.drawing().and_then(|drawing| drawing.get(key));
                 drawn.or_else(|| self.roughness_of(second)?.number(key, &self.scene.interface))
             }
+            Input::Curvature(Field { get, .. }) => get(self.spec.curvature.as_ref()?),
             Input::Scene((_, get, _)) => get(&self.spec),
             Input::Skewness => match &self.scene.heights {
                 HeightDistribution::Weibull(heights) => Some(heights.skewness()),
@@ -193,6 +209,9 @@ impl SceneFile {
                 Input::Bodies(field) => spec.bodies.set(&field, value, |_| true),
                 Input::Interface(field) => of_interface.push((field, value)),
                 Input::Surface(second, key) => of_surface[usize::from(second)].push((key, value)),
+                Input::Curvature(field) => {
+                    spec.curvature.iter_mut().for_each(|bodies| (field.set)(bodies, value));
+                }
                 Input::Scene((_, _, set)) => set(&mut spec, value),
                 Input::Skewness => {
                     let heights = WeibullHeights::new(value)?;

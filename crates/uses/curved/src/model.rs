@@ -41,13 +41,20 @@ const NEEDS_LENGTH: &str = "set reference_length, on which it depends";
 pub struct BetweenCurved {
     model: Arc<dyn ContactModel>,
     shape: Shape,
+    id: Option<&'static str>,
 }
 
 impl BetweenCurved {
     /// This model between these bodies.
     #[must_use]
     pub fn new(model: impl ContactModel + 'static, shape: Shape) -> Self {
-        Self { model: Arc::new(model), shape }
+        Self { model: Arc::new(model), shape, id: None }
+    }
+
+    /// The same under another id.
+    #[must_use]
+    pub fn under(self, id: &'static str) -> Self {
+        Self { id: Some(id), ..self }
     }
 }
 
@@ -57,7 +64,7 @@ impl Described for BetweenCurved {
     }
 
     fn id(&self) -> &str {
-        self.model.id()
+        self.id.unwrap_or(self.model.id())
     }
 
     fn name(&self) -> &str {

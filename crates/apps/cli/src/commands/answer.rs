@@ -58,7 +58,7 @@ struct Loads {
 
 impl Answer {
     pub fn run(self) -> Result<()> {
-        let mut scene = LoadedScene::open(&self.scene)?.flat()?;
+        let mut scene = LoadedScene::open(&self.scene)?;
         let at: Vec<At> = loads(&self.place.loads, &self.place.pressures).collect();
         if self.solve {
             scene.file.solved = solve(&scene.file, &at, &Terminal::default())?;
