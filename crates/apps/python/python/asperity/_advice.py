@@ -10,7 +10,7 @@ from typing import Any
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import Rows, floats, one_scene, place
+from asperity._arguments import Rows, floats, in_si, one_number, one_scene, place
 from asperity._asperity import Scene
 from asperity._model import Model, as_model
 from asperity._table import Table
@@ -94,6 +94,12 @@ def answer(
     ends = {name: found._ends(own, end) for name, end in _ENDS.items()}
     vars(found).update(ends, by=behind[0], widest=behind[1], also=behind[2], lines=lines)
     return found
+
+
+def profile(scene: Scene, load: float | str, model: str, rtol: float) -> Table:
+    """What ``Scene.profile`` gives."""
+    number = one_number("load", in_si(load, "N"))
+    return Table(*_asperity.profile(scene, number, model, rtol))
 
 
 _ENDS = {"value": "", "lower": "_lower", "upper": "_upper"}

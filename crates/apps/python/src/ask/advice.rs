@@ -6,7 +6,7 @@ use asperity::{
     At, Check, Code, Compared, ContactError, ContactModel, Finding, Findings, Model, Quantity,
     Request, Scene, Severity, SolvedContact,
 };
-use asperity_answer::{Answer, Cell, Sheet, check_sheet, lines, solve, unranked};
+use asperity_answer::{Answer, Cell, Sheet, check_sheet, lines, patch, solve, unranked};
 use pyo3::prelude::*;
 
 use crate::ask::asked::{Arguments, Asked};
@@ -155,6 +155,20 @@ pub(crate) enum Solving {
 
 /// What stands behind an answer, and its lines as the program prints them.
 type Behind = ([String; 3], Vec<Vec<String>>);
+
+/// The patch of curved bodies under a load [N].
+#[pyfunction]
+pub(crate) fn profile<'py>(
+    py: Python<'py>,
+    scene: &SceneFile,
+    load: f64,
+    model: &str,
+    rtol: f64,
+) -> PyResult<Table<'py>> {
+    let (file, tolerance) = (&scene.0, tolerance(rtol)?);
+    let [all, _] = py.detach(|| patch(file, model, load, tolerance)).map_err(value_error)?;
+    table(py, &all)
+}
 
 /// What is known best about a scene under loads.
 #[pyfunction]
