@@ -176,8 +176,14 @@ impl<M: Answering> BestContact<M> {
         if expected.extrapolated {
             let (nearest, light) = self.nearest(of, expected)?;
             let own = nearest.value(of, At::Pressure(pressure)).ok()?;
+            // Gaps change as the stiffness tells, whose ratio to the model is kept.
+            let softer = || {
+                let known = expected.estimate(Compared::Stiffness)?.value;
+                let at = At::Pressure(expected.pressure);
+                Some(nearest.value(Compared::Stiffness, at).ok()? / known)
+            };
             let kept = |x: f64| match of {
-                Compared::MeanGap => x + (own - light),
+                Compared::MeanGap => x + (own - light) * softer().unwrap_or(1.0),
                 _ => x * (own / light),
             };
             // A contact carries the load at the hardness, and unloads at least as stiff.
