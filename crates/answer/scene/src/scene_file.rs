@@ -156,7 +156,7 @@ impl SceneFile {
         self.spec.gas.ok_or(ContactError::Missing { field, reason })
     }
 
-    /// Refuses a scene of curved bodies, for what needs a nominal area.
+    /// Refuses a scene of curved bodies, for what flat bodies alone have.
     ///
     /// # Errors
     /// [`SceneError::Refused`] at `[curvature]`.

@@ -104,10 +104,13 @@ impl ContactModel for BetweenCurved {
             request.quantities.iter().copied().filter_map(of_layer).collect();
         layer.sort_unstable();
         layer.dedup();
+        // No pressure on it is a load, and no area is above it.
+        let mut of_bodies = scene.clone();
+        of_bodies.nominal_area = f64::INFINITY;
         let found = OfBodies {
             curved: Curved::new(&*self.model, scene, self.shape, &layer, request.tolerance)?,
             id: self.id().into(),
-            scene: scene.clone(),
+            scene: of_bodies,
             quantities: request.quantities.clone(),
             solved: Mutex::default(),
         };

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from html import escape
 from typing import Any
 
+import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
@@ -53,7 +54,9 @@ class Answer(Table):
         for quantity in quantities:
             head = columns[quantity]
             name = quantity.replace("-", "_")
-            column = self.columns[f"{name}{end}{head.removeprefix(name)}"]
+            # Of curved bodies there are no ends.
+            none = np.full(len(self["model"]), np.nan)
+            column = self.columns.get(f"{name}{end}{head.removeprefix(name)}", none)
             found[quantity] = float(column[0]) if len(column) == 1 else column
         return found
 

@@ -154,10 +154,11 @@ impl SceneFile {
         records::surface(py, &self.0.scene.surface, self.0.roughness())
     }
 
-    /// The apparent area of contact [m^2]; None of curved bodies.
+    /// The apparent area of contact [m^2]; ``ValueError`` of curved bodies, which have none.
     #[getter]
-    fn nominal_area(&self) -> Option<f64> {
-        self.0.shape().is_none().then_some(self.0.scene.nominal_area)
+    fn nominal_area(&self) -> PyResult<f64> {
+        self.0.need_flat().map_err(value_error)?;
+        Ok(self.0.scene.nominal_area)
     }
 
     /// The numbers of curved bodies in m, by their keys; None of flat bodies.
@@ -296,8 +297,7 @@ impl SceneFile {
     /// The number of asperities: density times nominal area.
     #[getter]
     fn asperities(&self) -> PyResult<f64> {
-        self.0.need_flat().map_err(value_error)?;
-        Ok(self.0.scene.asperities())
+        Ok(self.0.scene.surface.asperity_density * self.nominal_area()?)
     }
 
     /// The square root of height_std over the critical interference.
@@ -362,7 +362,7 @@ impl SceneFile {
             None => self.surface(py)?,
         };
         arguments.set_item("surface", surface)?;
-        arguments.set_item("nominal_area", self.nominal_area())?;
+        arguments.set_item("nominal_area", self.nominal_area().ok())?;
         arguments.set_item("heights", self.heights(py)?)?;
         arguments.set_item("separation_from", self.separation_from(py)?)?;
         arguments.set_item("mean_plane_offset", self.mean_plane_offset())?;
