@@ -66,7 +66,7 @@ impl Evidence {
 
 impl Compared {
     /// The pressure over the hardness up to which the quantity is stated.
-    pub(super) fn highest_pressure(self) -> f64 {
+    pub(crate) fn highest_pressure(self) -> f64 {
         match self {
             Self::Area => f64::INFINITY,
             Self::Stiffness | Self::UnloadingStiffness => STIFFNESS,
