@@ -92,15 +92,18 @@ impl Answer {
                 }
         };
         let of_joint = [Quantity::TangentialStiffness, Quantity::ThermalConductancePerArea];
-        let usual = match file.shape() {
+        let mut usual = match file.shape() {
             None => [&Compared::QUANTITIES[..], &of_joint].concat(),
             Some(_) => OF_BODIES.to_vec(),
         };
-        let quantities = match quantities {
-            [] => usual.into_iter().filter(has).collect(),
-            given => given.to_vec(),
-        };
-        Self { request: Request::new(quantities).at(at).within(tolerance) }
+        usual.retain(has);
+        let mut request = Request::default().at(at).within(tolerance);
+        // The approach, which is the first, is given.
+        if let (Some(At::Separation(_)), Some(first)) = (request.at.first(), usual.first_mut()) {
+            *first = Quantity::Force;
+        }
+        request.quantities = if quantities.is_empty() { usual } else { quantities.to_vec() };
+        Self { request }
     }
 
     /// Fills a sheet with a row for each load: the quantities and the mean gap, each with the ends
@@ -273,7 +276,11 @@ fn labelled(head: &str, is_flat: bool) -> Option<(&'static str, &'static str)> {
 #[must_use]
 pub fn lines(file: &SceneFile, sheet: &Sheet) -> Sheet {
     let several = sheet.rows.len() > 1;
-    let load: &[&str] = if several { &["load"] } else { &[] };
+    let (at, place, si) = match sheet.column("load_N") {
+        Some(_) => ("load_N", "load", "N"),
+        None => ("approach_m", "approach", "m"),
+    };
+    let load: &[&str] = if several { &[place] } else { &[] };
     let mut lines = Sheet::default();
     let is_end = |head: &String| sheet.column(&column_of_end(head, ENDS[0])).is_some();
     let has_ends = sheet.heads.iter().any(is_end);
@@ -294,7 +301,7 @@ pub fn lines(file: &SceneFile, sheet: &Sheet) -> Sheet {
             let value = number(head).map(|value| value / factor);
             let shown = |x: Option<f64>| x.map_or("–".into(), |x| fixed(x, value.unwrap_or(x)));
             let ends = ends.map(|end| shown(end.map(|end| end / factor)));
-            let load = number("load_N").map_or(String::new(), |load| in_words(load, "N"));
+            let load = number(at).map_or(String::new(), |load| in_words(load, si));
             let load = load.as_str();
             let ends = ends.iter().map(|end| &**end).filter(|_| has_ends);
             let value = shown(value);
@@ -312,8 +319,12 @@ pub fn lines(file: &SceneFile, sheet: &Sheet) -> Sheet {
 pub fn title(file: &SceneFile, at: At) -> String {
     let [load, pressure] = [(at.load(&file.scene), "N"), (at.pressure(&file.scene), "Pa")]
         .map(|(value, unit)| in_words(value.unwrap_or(0.0), unit));
-    let pressure = if file.shape().is_none() { format!(", {pressure}") } else { String::new() };
-    format!("at {load}{pressure}, {}", file.in_words())
+    let place = match at {
+        At::Separation(approach) => format!("an approach of {}", in_words(-approach.value, "m")),
+        _ if file.shape().is_some() => load,
+        _ => format!("{load}, {pressure}"),
+    };
+    format!("at {place}, {}", file.in_words())
 }
 
 fn in_words(value: f64, unit: &str) -> String {

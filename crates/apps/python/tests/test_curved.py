@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import pickle
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -58,8 +59,8 @@ def test_models_give_the_numbers_of_another_solver(rows: list[dict[str, str]], k
     names = [*LENGTHS, *OTHERS, "peak-pressure-ratio"]
     found = asperity.model(row["model"]).solve(one, load=float(row["load"]), quantities=names)
     sigma = float(row["asperity_height_std"])
-    for names, least in [(LENGTHS, sigma), (OTHERS, 0.0)]:
-        for name, column in names.items():
+    for columns, least in [(LENGTHS, sigma), (OTHERS, 0.0)]:
+        for name, column in columns.items():
             right = float(row[column])
             assert abs(found[name] - right) < 1e-6 * max(abs(right), least), name
     # Hertz' peak pressure and approach, of spheres in closed form.
@@ -134,6 +135,8 @@ def test_the_patch_carries_the_load_and_the_answer_is_that_of_best(ball: asperit
     for name in names:
         assert answer.value[name] == float(best[name]) == float(ke[name]), name
     assert answer.by.startswith("ke, ") and np.isnan(answer.lower["area"])
+    again = ball.answer("force", approach=answer.value["approach"])
+    assert again.value["force"] == pytest.approx(10.0, rel=1e-5)
 
 
 def test_a_scene_with_curved_bodies_is_written_copied_and_known_within_ranges(
@@ -151,7 +154,7 @@ def test_a_scene_with_curved_bodies_is_written_copied_and_known_within_ranges(
 def test_what_flat_bodies_alone_have_is_refused(ball: asperity.Scene) -> None:
     ke, surface = asperity.model("ke"), ball.surface
     flat = asperity.Scene(ball.interface, surface, 1e-4)
-    for refused in [
+    calls: list[Callable[[], Any]] = [
         lambda: ball.nominal_area,
         lambda: ke.solve(ball, 2.0),
         lambda: ke.solve(ball, film=1e-6),
@@ -170,6 +173,7 @@ def test_what_flat_bodies_alone_have_is_refused(ball: asperity.Scene) -> None:
         lambda: flat.profile(1.0),
         lambda: asperity.Scene(ball.interface, surface),
         lambda: asperity.Scene(ball.interface, surface, 1e-4, curvature={"radius": 0.01}),
-    ]:
+    ]
+    for refused in calls:
         with pytest.raises(ValueError):
             refused()

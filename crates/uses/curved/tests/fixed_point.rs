@@ -3,7 +3,9 @@
 
 use std::f64::consts::PI;
 
-use asperity_core::{Contact, ContactModel, Interface, Quantity, Request, Scene, Surface, Tolerance};
+use asperity_core::{
+    Contact, ContactModel, Interface, Quantity, Request, Scene, Surface, Tolerance,
+};
 use asperity_curved::{Curved, Shape};
 use asperity_gw::GreenwoodWilliamson;
 

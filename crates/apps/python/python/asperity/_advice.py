@@ -82,12 +82,13 @@ def answer(
     quantities: str | Sequence[str] | None,
     load: npt.ArrayLike | None,
     pressure: npt.ArrayLike | None,
+    approach: npt.ArrayLike | None,
     rtol: float,
     solve: bool,
     solved: Table | None,
 ) -> Answer:
     """What ``Scene.answer`` gives."""
-    axis, given = place(load=load, pressure=pressure)
+    axis, given = place(load=load, pressure=pressure, approach=approach)
     numbers = floats(given, axis).ravel().tolist()
     solving: Any = solve if solved is None else _solved(solved)
     table, (behind, lines) = _asperity.best(scene, (axis, numbers), quantities, rtol, solving)

@@ -130,6 +130,7 @@ class Scene:
         *,
         load: npt.ArrayLike | None = None,
         pressure: npt.ArrayLike | None = None,
+        approach: npt.ArrayLike | None = None,
         rtol: _Float = 1e-10,
         solve: bool = False,
         solved: Table | None = None,

@@ -182,6 +182,7 @@ pub(crate) fn best<'py>(
 ) -> PyResult<(Table<'py>, Behind)> {
     let mut file = (*scene.0).clone();
     let (axis, numbers) = place;
+    axis.check(&file)?;
     let at: Vec<At> =
         numbers.into_iter().map(|one| axis.at(one, file.spec.separation_from)).collect();
     file.solved = match solving {

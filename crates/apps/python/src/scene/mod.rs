@@ -253,24 +253,26 @@ impl SceneFile {
     /// ``solve=True`` solves the scan at the loads; ``solved`` takes what ``asperity.bem`` has
     /// solved. By default the quantities are area, tangent, unloading-stiffness and, as the scene
     /// has them, tangential-stiffness and thermal-conductance-per-area; the mean gap is always
-    /// there.
+    /// there. Curved bodies have an answer under loads or at approaches [m], by one model, without an
+    /// interval.
     ///
     /// >>> import asperity
     /// >>> answer = asperity.Scene.parse(asperity.template()).answer(load="100 N")
     /// >>> answer.lower["area"] < answer.value["area"] < answer.upper["area"]
     /// True
-    #[pyo3(signature = (quantities=None, *, load=None, pressure=None, rtol=1e-10, solve=false, solved=None))]
+    #[pyo3(signature = (quantities=None, *, load=None, pressure=None, approach=None, rtol=1e-10, solve=false, solved=None))]
     fn answer<'py>(
         slf: &Bound<'py, Self>,
         quantities: Option<Object<'py>>,
         load: Option<Object<'py>>,
         pressure: Option<Object<'py>>,
+        approach: Option<Object<'py>>,
         rtol: f64,
         solve: bool,
         solved: Option<Object<'py>>,
     ) -> PyResult<Object<'py>> {
         let answer = slf.py().import("asperity._advice")?.getattr("answer")?;
-        answer.call1((slf, quantities, load, pressure, rtol, solve, solved))
+        answer.call1((slf, quantities, load, pressure, approach, rtol, solve, solved))
     }
 
     /// The patch of curved bodies under a load [N], by "best" or another model: at each point
