@@ -58,7 +58,10 @@ const OF_BODIES: [Quantity; 13] = [
 
 /// Whether these bodies have a quantity, and need it.
 fn is_of(shape: Shape, quantity: Quantity) -> bool {
-    let is_circle = matches!(shape, Shape::Point { radius_x, radius_y } if radius_x == radius_y);
+    let is_circle = match shape {
+        Shape::Point { radius_x, radius_y } => (radius_x / radius_y - 1.0).abs() < 1e-12,
+        Shape::Line { .. } => false,
+    };
     let is_line = matches!(shape, Shape::Line { .. });
     let no_length = matches!(shape, Shape::Line { reference_length: None, .. });
     match quantity {

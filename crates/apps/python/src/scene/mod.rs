@@ -253,14 +253,18 @@ impl SceneFile {
     /// ``solve=True`` solves the scan at the loads; ``solved`` takes what ``asperity.bem`` has
     /// solved. By default the quantities are area, tangent, unloading-stiffness and, as the scene
     /// has them, tangential-stiffness and thermal-conductance-per-area; the mean gap is always
-    /// there. Curved bodies have an answer under loads or at approaches [m], by one model, without an
-    /// interval.
+    /// there. Curved bodies have an answer under loads or at approaches [m], by one model, without
+    /// an interval.
     ///
     /// >>> import asperity
     /// >>> answer = asperity.Scene.parse(asperity.template()).answer(load="100 N")
     /// >>> answer.lower["area"] < answer.value["area"] < answer.upper["area"]
     /// True
-    #[pyo3(signature = (quantities=None, *, load=None, pressure=None, approach=None, rtol=1e-10, solve=false, solved=None))]
+    #[pyo3(signature = (
+        quantities=None, *, load=None, pressure=None, approach=None, rtol=1e-10, solve=false,
+        solved=None
+    ))]
+    #[expect(clippy::too_many_arguments, reason = "the signature in Python")]
     fn answer<'py>(
         slf: &Bound<'py, Self>,
         quantities: Option<Object<'py>>,
