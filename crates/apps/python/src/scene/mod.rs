@@ -51,8 +51,8 @@ type Uppers = BTreeMap<String, Vec<bool>>;
 ///     Codes of warnings that are not emitted, as "few-contacts"; each warning begins with its code.
 /// curvature : dict, optional
 ///     Curved bodies, in the place of the nominal area: the keys of the section [curvature] of a
-///     scene file, as ``{"radius": "10 mm"}`` or ``{"radius_x": 0.46, "radius_y": 0.3}``. Models then
-///     answer under loads and at approaches.
+///     scene file, as ``{"radius": "10 mm"}`` or ``{"radius_x": 0.46, "radius_y": 0.3}``. Models
+///     then answer under loads and at approaches.
 ///
 /// Examples
 /// --------
