@@ -2,10 +2,11 @@
 
 use asperity::{
     At, Best, BestContact, Code, Compared, ContactEngine, Datum, Described, Model, Other, Quantity,
-    Request, Separation, SeparationUnit, SolvedContact, Source, Tolerance,
+    Request, Separation, SeparationUnit, SolvedContact, Source, Tolerance, usual_reference,
 };
-use asperity_scene::SceneFile;
+use asperity_scene::{SceneFile, Shape};
 
+use crate::asked::NO_EVIDENCE;
 use crate::inquiry::{Beside, ENDS, Inquiry, column_of_end};
 use crate::models::grouped;
 use crate::number::{fixed, prefixed};
@@ -38,6 +39,40 @@ pub struct Basis {
     pub also: String,
 }
 
+/// What everyone asks of curved bodies.
+const OF_BODIES: [Quantity; 13] = [
+    Quantity::Approach,
+    Quantity::ApproachBeyondHertz,
+    Quantity::PeakPressure,
+    Quantity::PeakPressureRatio,
+    Quantity::EffectiveRadius,
+    Quantity::AxisX,
+    Quantity::AxisY,
+    Quantity::Area,
+    Quantity::CentralAreaFraction,
+    Quantity::Tangent,
+    Quantity::UnloadingStiffness,
+    Quantity::TangentialStiffness,
+    Quantity::ThermalConductance,
+];
+
+/// Whether these bodies have a quantity, and need it.
+fn is_of(shape: Shape, quantity: Quantity) -> bool {
+    let is_circle = match shape {
+        Shape::Point { radius_x, radius_y } => (radius_x / radius_y - 1.0).abs() < 1e-12,
+        Shape::Line { .. } => false,
+    };
+    let is_line = matches!(shape, Shape::Line { .. });
+    let no_length = matches!(shape, Shape::Line { reference_length: None, .. });
+    match quantity {
+        Quantity::EffectiveRadius => is_circle,
+        Quantity::AxisX => !is_circle,
+        Quantity::AxisY => !is_circle && !is_line,
+        Quantity::Approach | Quantity::Tangent => !no_length,
+        other => !(no_length && other.is_of_joint()),
+    }
+}
+
 impl Answer {
     /// These quantities, or those that everyone asks for, at loads.
     #[must_use]
@@ -47,20 +82,31 @@ impl Answer {
         at: impl IntoIterator<Item = At>,
         tolerance: Tolerance,
     ) -> Self {
-        let of_joint = [Quantity::TangentialStiffness, Quantity::ThermalConductancePerArea];
         let has = |quantity: &Quantity| {
             let interface = &file.scene.interface;
-            match quantity {
-                Quantity::TangentialStiffness => interface.equivalent_shear_modulus.is_some(),
-                _ => interface.thermal_conductivity.is_some(),
-            }
+            let is_here = file.shape().is_none_or(|shape| is_of(shape, *quantity));
+            is_here
+                && match quantity {
+                    Quantity::TangentialStiffness => interface.equivalent_shear_modulus.is_some(),
+                    Quantity::ThermalConductance | Quantity::ThermalConductancePerArea => {
+                        interface.thermal_conductivity.is_some()
+                    }
+                    _ => true,
+                }
         };
-        let usual = Compared::QUANTITIES.into_iter().chain(of_joint.into_iter().filter(has));
-        let quantities = match quantities {
-            [] => usual.collect(),
-            given => given.to_vec(),
+        let of_joint = [Quantity::TangentialStiffness, Quantity::ThermalConductancePerArea];
+        let mut usual = match file.shape() {
+            None => [&Compared::QUANTITIES[..], &of_joint].concat(),
+            Some(_) => OF_BODIES.to_vec(),
         };
-        Self { request: Request::new(quantities).at(at).within(tolerance) }
+        usual.retain(has);
+        let mut request = Request::default().at(at).within(tolerance);
+        // The approach, which is the first, is given.
+        if let (Some(At::Separation(_)), Some(first)) = (request.at.first(), usual.first_mut()) {
+            *first = Quantity::Force;
+        }
+        request.quantities = if quantities.is_empty() { usual } else { quantities.to_vec() };
+        Self { request }
     }
 
     /// Fills a sheet with a row for each load: the quantities and the mean gap, each with the ends
@@ -72,9 +118,13 @@ impl Answer {
         let results = sheet.results.len();
         with_ranges(file, sheet, |file, sheet| self.fill(file, sheet))?;
         let middle = file.middle()?;
-        let best = middle.best().on(&middle.scene, self.request.tolerance)?;
         let at = self.request.at.first().copied().unwrap_or(At::Load(0.0));
         let widest = sheet.results.drain(results..).collect::<Vec<_>>().join("; ");
+        if file.shape().is_some() {
+            let by = format!("{}, {NO_EVIDENCE}", usual_reference(&middle.scene));
+            return Ok(Basis { by, widest, also: String::new() });
+        }
+        let best = middle.best().on(&middle.scene, self.request.tolerance)?;
         Ok(Basis { widest, ..basis(&best, &self.request.quantities, at) })
     }
 
@@ -208,13 +258,15 @@ pub fn solve(file: &SceneFile, at: &[At], watch: &dyn Watch) -> Outcome<Vec<Solv
 }
 
 /// The label of a column of an answer and its unit: the real area is a share of the nominal one.
-fn labelled(head: &str) -> Option<(&'static str, &'static str)> {
+fn labelled(head: &str, is_flat: bool) -> Option<(&'static str, &'static str)> {
     if head == GAP {
         return Some((Compared::MeanGap.label(), "m"));
     }
     let quantity = Quantity::ALL.into_iter().find(|quantity| quantity.column() == head)?;
     Some(match quantity {
         Quantity::Pressure => return None,
+        Quantity::Area if !is_flat => ("real area", "mm2"),
+        Quantity::CentralAreaFraction => ("share of real contact in the middle", "%"),
         Quantity::Area | Quantity::AreaFraction => ("real area, share of the nominal", "%"),
         Quantity::Tangent => (Compared::Stiffness.label(), "N/m"),
         Quantity::UnloadingStiffness => (Compared::UnloadingStiffness.label(), "N/m"),
@@ -227,25 +279,36 @@ fn labelled(head: &str) -> Option<(&'static str, &'static str)> {
 #[must_use]
 pub fn lines(file: &SceneFile, sheet: &Sheet) -> Sheet {
     let several = sheet.rows.len() > 1;
-    let load: &[&str] = if several { &["load"] } else { &[] };
+    let (at, place, si) = match sheet.column("load_N") {
+        Some(_) => ("load_N", "load", "N"),
+        None => ("approach_m", "approach", "m"),
+    };
+    let load: &[&str] = if several { &[place] } else { &[] };
     let mut lines = Sheet::default();
-    lines.under(&[load, &["quantity", "value", "from", "to", "unit"]]);
+    let is_end = |head: &String| sheet.column(&column_of_end(head, ENDS[0])).is_some();
+    let has_ends = sheet.heads.iter().any(is_end);
+    let ends: &[&str] = if has_ends { &["from", "to"] } else { &[] };
+    lines.under(&[load, &["quantity", "value"], ends, &["unit"]]);
+    let is_flat = file.shape().is_none();
     for row in &sheet.rows {
         let number = |head: &str| row[sheet.column(head)?].number();
         for head in &sheet.heads {
-            let Some((label, unit)) = labelled(head) else { continue };
+            let Some((label, unit)) = labelled(head, is_flat) else { continue };
             let of_nominal = if head == "area_m2" { file.scene.nominal_area } else { 1.0 };
             let ends = ENDS.map(|end| number(&column_of_end(head, end)));
             let (factor, unit) = match (unit, number(head)) {
                 ("%", _) => (0.01 * of_nominal, unit.into()),
+                ("mm2", _) => (1e-6, unit.into()),
                 (unit, value) => prefixed(value.unwrap_or(0.0), unit),
             };
             let value = number(head).map(|value| value / factor);
             let shown = |x: Option<f64>| x.map_or("–".into(), |x| fixed(x, value.unwrap_or(x)));
             let ends = ends.map(|end| shown(end.map(|end| end / factor)));
-            let load = number("load_N").map_or(String::new(), |load| in_words(load, "N"));
+            let load = number(at).map_or(String::new(), |load| in_words(load, si));
             let load = load.as_str();
-            let texts = [label, &shown(value), &ends[0], &ends[1], &unit];
+            let ends = ends.iter().map(|end| &**end).filter(|_| has_ends);
+            let value = shown(value);
+            let texts = [label, &value].into_iter().chain(ends).chain([&*unit]);
             let all = [load].into_iter().filter(|_| several).chain(texts);
             lines.rows.push(all.map(Cell::from).collect());
         }
@@ -253,13 +316,18 @@ pub fn lines(file: &SceneFile, sheet: &Sheet) -> Sheet {
     lines
 }
 
-/// The load of an answer, its pressure and what is in contact: `at 20 kN, 50 MPa,
+/// The load of an answer, its pressure on flat bodies and what is in contact: `at 20 kN, 50 MPa,
 /// steel-4140-tempered on aluminium-6082-t6, ground, ra 0.8 um`.
 #[must_use]
 pub fn title(file: &SceneFile, at: At) -> String {
     let [load, pressure] = [(at.load(&file.scene), "N"), (at.pressure(&file.scene), "Pa")]
         .map(|(value, unit)| in_words(value.unwrap_or(0.0), unit));
-    format!("at {load}, {pressure}, {}", file.in_words())
+    let place = match at {
+        At::Separation(approach) => format!("an approach of {}", in_words(-approach.value, "m")),
+        _ if file.shape().is_some() => load,
+        _ => format!("{load}, {pressure}"),
+    };
+    format!("at {place}, {}", file.in_words())
 }
 
 fn in_words(value: f64, unit: &str) -> String {

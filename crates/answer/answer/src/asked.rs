@@ -3,8 +3,9 @@
 use asperity::film::{PatirCheng, not_gaussian};
 use asperity::joints::conductance::gap_conductance;
 use asperity::{
-    ATOMIC_DISTANCE, At, Contact, ContactError, ContactModel, Datum, Evaluation, Finding, Findings,
-    Interval, Model, Quantity, Request, Separation, SeparationUnit, Severity, compile_known, short,
+    ATOMIC_DISTANCE, At, Best, Code, Contact, ContactError, ContactModel, Datum, Evaluation,
+    Finding, Findings, Interval, Model, Quantity, Request, Separation, SeparationUnit, Severity,
+    compile_known, short, usual_reference,
 };
 use asperity_scene::{Gas, SceneFile};
 
@@ -12,6 +13,8 @@ use crate::AnswerError;
 use crate::models::grouped;
 use crate::subject::measured;
 
+/// Why an answer of curved bodies has no interval.
+pub(crate) const NO_EVIDENCE: &str = "without an interval: no solved surface is curved";
 /// The conductance of the contacts beside the gas.
 const CONTACTS: Quantity = Quantity::ThermalConductancePerArea;
 
@@ -47,6 +50,13 @@ pub struct Line {
     pub intervals: Vec<Option<Interval>>,
     /// The interval of the separation \[m\] from the plane of the scene, likewise.
     pub between: Option<[f64; 2]>,
+}
+
+/// A note that the model `best` of curved bodies is a single model.
+fn behind_best(file: &SceneFile, model: &Model) -> Option<Finding> {
+    let note = Finding::note(Code::NoEvidence, "curvature", f64::NAN).of_model(model.id());
+    let fact = format!("by {}, {NO_EVIDENCE}", usual_reference(&file.scene));
+    (model.id() == Best::<Model>::ID).then(|| note.fact(fact))
 }
 
 impl Asked {
@@ -111,13 +121,9 @@ impl Asked {
     /// The findings at these places, and the notes of the contact, such as how a scan is continued.
     #[must_use]
     pub fn findings(&self, file: &SceneFile, places: &[At]) -> [Findings; 2] {
-        // Of curved bodies, what a contact notes stands in its answers.
-        if file.spec.curvature.is_some() {
-            return [Findings::default(), Findings::default()];
-        }
         let found = file.judge(&self.model, Some(&*self.contact), places);
-        let notes = match self.model.validity().asperities {
-            true => Findings::default(),
+        let notes: Findings = match self.model.validity().asperities {
+            true => behind_best(file, &self.model).into_iter().collect(),
             false => {
                 let notes = self.contact.notes(places).into_iter();
                 notes.filter(|note| note.severity == Severity::Note).collect()

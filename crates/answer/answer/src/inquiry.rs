@@ -2,7 +2,8 @@
 
 use asperity::recommended::JKR;
 use asperity::{
-    At, Best, Code, ContactError, Described, Evaluation, Findings, Model, Quantity, Request,
+    At, Best, Code, ContactError, Datum, Described, Evaluation, Findings, Model, Quantity, Request,
+    Separation, SeparationUnit,
 };
 use asperity_scene::SceneFile;
 
@@ -108,7 +109,7 @@ impl<'s> Inquiry<'s> {
 
     /// Whether the bodies are curved: rows have a load or an approach.
     fn is_of_bodies(&self) -> bool {
-        self.file.spec.curvature.is_some()
+        self.file.shape().is_some()
     }
 
     /// The columns for the model and for the load or separation.
@@ -148,7 +149,7 @@ impl<'s> Inquiry<'s> {
 
     /// Whether one of the models knows intervals.
     fn has_intervals(&self) -> bool {
-        self.models.iter().any(|model| model.id() == Best::<Model>::ID)
+        !self.is_of_bodies() && self.models.iter().any(|model| model.id() == Best::<Model>::ID)
     }
 
     /// A row with the cells of its place; `wanted` has the values of the reference.
@@ -249,10 +250,14 @@ impl<'s> Inquiry<'s> {
     /// The cells of a line's place.
     fn place(&self, id: &str, line: &Line) -> Vec<Cell> {
         if self.is_of_bodies() {
-            let approach = line.separation[1].as_ref().ok().map(|metres| -metres);
+            // Approaches count from the mean of the asperities, whatever the plane of the scene.
+            let metres = |s: Separation| {
+                s.measured_in(SeparationUnit::Metres, Datum::AsperityMean, &self.file.scene)
+            };
             let place = match line.given {
                 At::Load(load) => Some(load),
-                _ => approach,
+                At::Separation(s) => metres(s).ok().map(|s| -s.value),
+                _ => None,
             };
             return vec![Cell::from(id), place.into()];
         }

@@ -62,6 +62,7 @@ pub fn of_joint(
     at: At,
     sheet: &mut Sheet,
 ) -> Result<Model, AnswerError> {
+    file.need_flat()?;
     if model.id() != Best::<Model>::ID {
         return Ok(model);
     }
@@ -80,6 +81,9 @@ pub fn of_joint(
 /// # Errors
 /// The errors of the scene.
 pub fn best_and_nearest(file: &SceneFile, request: &Request) -> Result<Vec<String>, AnswerError> {
+    if file.shape().is_some() {
+        return Ok(vec![Best::<Model>::ID.into()]);
+    }
     let middle = file.middle()?;
     let best = middle.best().on(&middle.scene, request.tolerance)?;
     let at = request.at.get(request.at.len() / 2).copied().unwrap_or(At::from(2.0));

@@ -4,7 +4,7 @@
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     Advice, At, Check, Code, Contact, ContactError, ContactModel, DerivedNumber, Finding, Findings,
-    HeightDistribution, Plausible, ProfileMoments, unusual,
+    HeightDistribution, Plausible, ProfileMoments, Quantity, Request, unusual,
 };
 use asperity_topography::Statistics;
 
@@ -137,7 +137,9 @@ impl SceneFile {
     pub fn check(&self, place: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
         let points = self.points()?;
         let mut check = points.middle.answered(place)?;
-        let all = points.all.iter().map(|point| point.answered(place));
+        // A model has the curved bodies of the middle.
+        let flat = place.filter(|_| self.shape().is_none());
+        let all = points.all.iter().map(|point| point.answered(flat));
         let all = all.collect::<Result<Vec<_>, _>>()?;
         for number in &mut check.numbers {
             let found = all.iter().filter_map(|point| point.number(&number.name));
@@ -159,6 +161,12 @@ impl SceneFile {
     /// be consequences of an implausible input, of which there are none then.
     fn answered(&self, place: Option<(&dyn ContactModel, At)>) -> Result<Check, ContactError> {
         let mut check = match place {
+            Some((model, at)) if self.shape().is_some() => {
+                let request = Request::new([Quantity::Area, Quantity::Contacts]);
+                let mut check = Check::of(&self.scene)?;
+                check.extend(model.compile(&self.scene, &request)?.notes(&[at]));
+                return Ok(check);
+            }
             Some((model, at)) => Check::at(model, &self.scene, at)?,
             None => Check::of(&self.scene)?,
         };
@@ -196,7 +204,8 @@ impl SceneFile {
         places: &[At],
     ) -> Findings {
         let known = self.findings().for_asperities(model.validity().asperities);
-        match known.are_implausible() {
+        // Of curved bodies, what a contact notes stands in its answers.
+        match known.are_implausible() || self.shape().is_some() {
             true => Findings::default(),
             false => self.accepted(Check::answers(model, &self.scene, contact, places)),
         }

@@ -154,14 +154,32 @@ mod tests {
     fn any_model_answers_between_them_and_the_scene_is_written() {
         let file = with("radius = 0.01").unwrap();
         let request = Request::new([Quantity::PeakPressureRatio]).at_loads([50.0]);
-        for id in ["gw", "ke", "jg"] {
+        let ratios = ["gw", "ke", "jg", "best"].map(|id| {
             let found = file.model(id).unwrap().solve(&file.scene, &request).unwrap();
-            let ratio = found.values(Quantity::PeakPressureRatio).unwrap()[0];
-            assert!(ratio > 0.2 && ratio < 1.0, "{id}: {ratio}");
+            found.values(Quantity::PeakPressureRatio).unwrap()[0]
+        });
+        assert!(ratios.iter().all(|ratio| (0.2..1.0).contains(ratio)), "{ratios:?}");
+        assert_eq!(ratios[1].to_bits(), ratios[3].to_bits());
+        for refused in ["cmy", "persson-plastic"] {
+            let model = file.model(refused).unwrap();
+            let request = Request::new([Quantity::ThermalConductance]);
+            assert!(model.compile(&file.scene, &request).is_err(), "{refused}");
         }
         let text = file.to_toml(&[]).unwrap();
         let again = parse(&text, Path::new(".")).unwrap();
         assert_eq!(again.spec.curvature, file.spec.curvature);
         assert!(!text.contains("nominal_area"));
+    }
+
+    #[test]
+    fn a_radius_may_be_known_within_a_range() {
+        let file = with("radius_x = [0.009, \"11 mm\"]\nradius_y = 0.01").unwrap();
+        for (share, radius_x) in [(0.0, 0.009), (1.0, 0.011)] {
+            let end = file.at(&[share]).unwrap().shape();
+            assert_eq!(end, Some(Shape::Point { radius_x, radius_y: 0.01 }));
+        }
+        let again = parse(&file.to_toml(&[]).unwrap(), Path::new(".")).unwrap();
+        assert_eq!(again.unknowns(), file.unknowns());
+        assert!(with("radius = [-0.01, 0.01]").is_err());
     }
 }

@@ -20,6 +20,7 @@ impl SceneFile {
     /// # Errors
     /// [`SceneError::Refused`] for a scan without one, and for one with an oblique lay.
     pub fn flow(&self, model: &Model) -> Result<PatirCheng, SceneError> {
+        self.need_flat()?;
         let alike = model.asperities() == Asperities::Pairs && self.scene.pair.is_none();
         let share_at_rest = match self.scene.pair {
             None if !alike => self.counter_variance() / self.scene.surface_height_std().powi(2),

@@ -120,6 +120,7 @@ impl SceneFile {
         free: &[Free],
         progress: &mut dyn FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<Fitted, SceneError> {
+        self.need_flat()?;
         if model.id() == Best::<Model>::ID {
             let reason = "best chooses its model by the scene, which a fit changes: fit one model";
             return Err(refused("model", reason.into()));

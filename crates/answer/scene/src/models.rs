@@ -4,10 +4,10 @@ use asperity::joints::{Correlated, Correlation};
 use asperity::recommended::ANSWERING;
 use asperity::{
     Asperities, Best, Code, ContactError, ContactModel, Finding, Model, Quantity, Request,
-    Tolerance,
+    Tolerance, usual_reference,
 };
 use asperity_bem::Bem;
-use asperity_curved::{BetweenCurved, Curved};
+use asperity_curved::{BetweenCurved, Curved, Shape};
 
 use crate::error::{Place, SceneError};
 use crate::options::ModelOptions;
@@ -40,22 +40,32 @@ impl SceneFile {
     pub fn model_with(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
         match id.trim().to_lowercase().as_str() {
             Bem::ID => Ok(Model::new(self.pressed(options.bem())?)),
-            Best::<Model>::ID => Ok(Model::new(self.best_with(options))),
-            _ => {
-                let model = options.model_beside(|| self.spectrum(), id)?;
-                let of_id = |one: &Correlation| one.id() == model.id();
-                if let Some(correlation) = Correlation::ALL.into_iter().find(of_id) {
-                    let roughness = Some(self.gap_roughness());
-                    return Ok(Model::known(Correlated { correlation, roughness }));
+            Best::<Model>::ID => Ok(match self.shape() {
+                // No solved surface is that of curved bodies.
+                Some(shape) => {
+                    let model = self.flat_model(options, usual_reference(&self.scene))?;
+                    Model::new(BetweenCurved::new(model, shape).under(Best::<Model>::ID))
                 }
-                match self.no_asperities_for(&model) {
-                    Some(reason) => {
-                        let at = Place::field("surface.file").into();
-                        Err(SceneError::Refused { at, reason })
-                    }
-                    None => Ok(self.between(model)),
-                }
+                None => Model::new(self.best_with(options)),
+            }),
+            _ => Ok(self.between(self.flat_model(options, id)?)),
+        }
+    }
+
+    /// The model of an id between flat bodies.
+    fn flat_model(&self, options: &ModelOptions, id: &str) -> Result<Model, SceneError> {
+        let model = options.model_beside(|| self.spectrum(), id)?;
+        let of_id = |one: &Correlation| one.id() == model.id();
+        if let Some(correlation) = Correlation::ALL.into_iter().find(of_id) {
+            let roughness = Some(self.gap_roughness());
+            return Ok(Model::known(Correlated { correlation, roughness }));
+        }
+        match self.no_asperities_for(&model) {
+            Some(reason) => {
+                let at = Place::field("surface.file").into();
+                Err(SceneError::Refused { at, reason })
             }
+            None => Ok(model),
         }
     }
 
@@ -70,16 +80,24 @@ impl SceneFile {
         asked: &[Quantity],
         tolerance: Tolerance,
     ) -> Result<Result<Curved, ContactError>, SceneError> {
-        let model = self.spec.options.model(id)?;
+        let id = if id == Best::<Model>::ID { usual_reference(&self.scene) } else { id };
+        let model = self.flat_model(&self.spec.options, id)?;
         let flat =
             || ContactError::Missing { field: "curvature", reason: "the bodies are flat".into() };
-        let bodies = self.spec.curvature.ok_or_else(flat).and_then(|bodies| bodies.shape());
-        Ok(bodies.and_then(|shape| Curved::new(&model, &self.scene, shape, asked, tolerance)))
+        let shape = self.shape().ok_or_else(flat);
+        Ok(shape.and_then(|shape| Curved::new(&model, &self.scene, shape, asked, tolerance)))
     }
 
-    /// The model between the scene's bodies, where these are curved.
-    fn between(&self, model: Model) -> Model {
-        match self.spec.curvature.and_then(|bodies| bodies.shape().ok()) {
+    /// The undeformed bodies, where these are curved.
+    #[must_use]
+    pub fn shape(&self) -> Option<Shape> {
+        self.spec.curvature.and_then(|bodies| bodies.shape().ok())
+    }
+
+    /// A model of flat bodies between the scene's bodies, where these are curved.
+    #[must_use]
+    pub fn between(&self, model: Model) -> Model {
+        match self.shape() {
             Some(shape) => Model::new(BetweenCurved::new(model, shape)),
             None => model,
         }

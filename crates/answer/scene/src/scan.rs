@@ -34,6 +34,7 @@ impl SceneFile {
 
     /// [`bem`](Self::bem) with these options instead of the scene's.
     pub(crate) fn pressed(&self, options: BemOptions) -> Result<Bem, SceneError> {
+        self.need_flat()?;
         let at = Box::new(Place::field("surface.file"));
         let Some(scan) = self.scan() else {
             let needed = "boundary elements (bem) need the scan of one surface, file = \"scan.x3p\" in [surface] with unit and pixel_size if the file does not state them, or scans of both with aligned = true";

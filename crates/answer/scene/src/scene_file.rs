@@ -171,7 +171,7 @@ impl SceneFile {
         self.spec.gas.ok_or(ContactError::Missing { field, reason })
     }
 
-    /// Refuses a scene of curved bodies, for what needs a nominal area.
+    /// Refuses a scene of curved bodies, for what flat bodies alone have.
     ///
     /// # Errors
     /// [`SceneError::Refused`] at `[curvature]`.
@@ -181,7 +181,7 @@ impl SceneFile {
         }
         let own = Provenance::default();
         let at = self.origin.as_deref().unwrap_or(&own).place("curvature").into();
-        let reason = "only `asperity curve` and the Rust library answer for curved bodies so far: write nominal_area instead of [curvature]";
+        let reason = "films, boundary elements, joints, exports and fits are of flat bodies: write nominal_area instead of [curvature]";
         Err(SceneError::Refused { at, reason: reason.into() })
     }
 

@@ -4,7 +4,8 @@ use std::path::Path;
 
 use asperity::{Body, short};
 
-use crate::keys::Key;
+use crate::curvature::Curvature;
+use crate::keys::{CURVATURE, Field, Key};
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SurfaceSpec};
 
@@ -15,7 +16,12 @@ impl SceneFile {
     pub fn in_words(&self) -> String {
         let surfaces = self.spec.surfaces().map(|(_, one)| one.in_words());
         let surfaces = surfaces.collect::<Vec<_>>().join(" on ");
-        format!("{}, {surfaces}", self.spec.bodies.in_words())
+        let radius = |field: &Field<Curvature>| {
+            let value = (field.get)(self.spec.curvature.as_ref()?)?;
+            Some(format!(", {} {} m", field.name, short(value)))
+        };
+        let radii: String = CURVATURE.iter().filter_map(radius).collect();
+        format!("{}, {surfaces}{radii}", self.spec.bodies.in_words())
     }
 }
 

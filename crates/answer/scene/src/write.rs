@@ -92,14 +92,13 @@ impl SceneFile {
         Ok(text)
     }
 
-    /// The scene of these bodies and this area with the other sections that these keys describe:
+    /// The scene of these bodies with the other keys and sections: `nominal_area` or `curvature`,
     /// `surface`, `options`, `accept`.
     ///
     /// # Errors
     /// The errors of [`parse`](crate::parse), without lines.
-    pub fn with_keys(bodies: &Bodies, nominal_area: f64, keys: Table) -> Result<Self, SceneError> {
+    pub fn with_keys(bodies: &Bodies, keys: Table) -> Result<Self, SceneError> {
         let mut top = bodies.keys();
-        top.insert("nominal_area".into(), nominal_area.into());
         top.extend(keys);
         let text = top.to_string();
         scene_file(&Document::new(None, Files::Nowhere, &text)?, Asked::Asperities)

@@ -33,7 +33,7 @@ impl LoadedScene {
     /// Reads the file for these models, and reports what is unusual; on its asperities only if one
     /// of the models uses asperities; otherwise a scan needs none.
     pub fn load(path: &Path, ids: &[String]) -> Result<Self> {
-        Self::load_pressing(path, ids, BemOptions::default())?.flat()
+        Self::load_pressing(path, ids, BemOptions::default())
     }
 
     /// The same with these options of boundary elements before the scene's.
@@ -57,12 +57,6 @@ impl LoadedScene {
         Ok(scene)
     }
 
-    /// Refuses curved bodies.
-    pub fn flat(self) -> Result<Self> {
-        self.file.need_flat()?;
-        Ok(self)
-    }
-
     /// The scene at one end of its ranges, which a note names.
     pub fn taken_at(self, end: &EndArgs) -> Result<Self> {
         let (file, note) = self.file.taken_at(&end.at)?;
@@ -72,6 +66,7 @@ impl LoadedScene {
 
     /// The boundary elements of the scene's scan.
     pub fn bem(&self) -> Result<Bem> {
+        self.file.need_flat()?;
         self.file.bem().map_err(|error| Error::msg(format!("{}: {error}", self.name)))
     }
 

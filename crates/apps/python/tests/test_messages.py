@@ -19,6 +19,7 @@ PAIR = A.Interface.between(STEEL, STEEL)
 NAMES = {
     **{"A": A, "np": np, "SCENE": SCENE, "STEEL": STEEL, "PAIR": PAIR, "MANY": SCENE.vary(hardness=[2e9, 3e9])},
     "KE": A.model("ke"),
+    "BALL": A.Scene(PAIR, SCENE.surface, curvature={"radius": "10 mm"}),
     "MOMENTS": A.Scene(PAIR, A.Surface.of(m0=1e-12, m2=1e-4, m4=5e4), 1e-4),
     "SCAN": A.Topography(1e-6 * np.eye(16), 1e-6, "m", periodic=True),
     "JOINT": A.model("ke").unloading(SCENE, 1.0),

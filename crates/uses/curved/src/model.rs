@@ -46,19 +46,30 @@ const NEEDS_LENGTH: &str = "set reference_length, on which it depends";
 pub struct BetweenCurved {
     model: Arc<dyn ContactModel>,
     shape: Shape,
+    id: Option<&'static str>,
 }
 
 impl BetweenCurved {
     /// This model between these bodies.
     #[must_use]
     pub fn new(model: impl ContactModel + 'static, shape: Shape) -> Self {
-        Self { model: Arc::new(model), shape }
+        Self { model: Arc::new(model), shape, id: None }
+    }
+
+    /// The same under another id.
+    #[must_use]
+    pub fn under(self, id: &'static str) -> Self {
+        Self { id: Some(id), ..self }
     }
 }
 
 impl Wraps for BetweenCurved {
     fn inner(&self) -> &dyn Described {
         &*self.model
+    }
+
+    fn other_id(&self) -> Option<&str> {
+        self.id
     }
 }
 
@@ -86,10 +97,13 @@ impl BetweenCurved {
             request.quantities.iter().copied().filter_map(of_layer).collect();
         layer.sort_unstable();
         layer.dedup();
+        // No pressure on it is a load, and no area is above it.
+        let mut of_bodies = scene.clone();
+        of_bodies.nominal_area = f64::INFINITY;
         let found = OfBodies {
             curved: Curved::new(&*self.model, scene, self.shape, &layer, request.tolerance)?,
             id: self.id().into(),
-            scene: scene.clone(),
+            scene: of_bodies,
             quantities: request.quantities.clone(),
             solved: Mutex::default(),
         };

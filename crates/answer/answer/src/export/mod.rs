@@ -171,6 +171,7 @@ impl Export<'_> {
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<Exported, AnswerError> {
         sheet.under(&[&["clearance_m", "pressure_Pa", "tangent_Pa_per_m"]]);
         self.format.check(self.conductance, self.friction)?;
+        self.subject.file.need_flat()?;
         watch.progress("nodes");
         let of_model = |error: AnswerError| error.of_model(self.subject.id);
         if self.format == TableFormat::Film {

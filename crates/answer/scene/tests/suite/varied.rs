@@ -5,7 +5,7 @@ use std::path::Path;
 use asperity::fit::Data;
 use asperity::{ContactModel, Datum, Quantity, Request};
 use asperity_scene::{
-    BODY, Free, KEYS, SceneFile, Subject, key_of_input, parse, read_measurements,
+    BODY, Free, KEYS, Key, SceneFile, Subject, key_of_input, parse, read_measurements,
 };
 
 /// A section with its keys.
@@ -27,8 +27,20 @@ const WAYS: [&[(&str, f64)]; 11] = [
 ];
 const DRAWN: usize = 7;
 
+/// Curved bodies in each way; the first flat.
+const CURVED: [&[(&str, f64)]; 6] = [
+    &[],
+    &[("radius", 0.01)],
+    &[("radius_x", 0.46), ("radius_y", 0.3)],
+    &[("radius_x", 0.01), ("length", 0.02)],
+    &[("radius_x", 0.01), ("length", 0.02), ("reference_length", 0.1)],
+    &[("body1_radius_x", 0.01), ("body2_radius_x", -0.02), ("body2_radius_y", 0.3)],
+];
+
 /// Numbers of keys that are not written.
-const OTHERS: [(&str, f64); 20] = [
+const OTHERS: [(&str, f64); 22] = [
+    ("reference_length", 0.2),
+    ("radius_y", 0.5),
     ("yield_strength", 6e8),
     ("tangent_modulus", 1e9),
     ("thermal_conductivity", 40.0),
@@ -78,7 +90,8 @@ fn physics(file: &SceneFile) -> String {
     scenes.extend(ends.iter().map(|end| &end.scene));
     let lay = [Some(&file.spec.surface), file.spec.counterface.as_ref()];
     let lay = lay.map(|one| one.and_then(|one| one.peklenik_number));
-    format!("{scenes:?} {:?} {lay:?} {:?}", file.bodies(), file.spec.gas)
+    let shape = (file.spec.curvature, file.shape());
+    format!("{scenes:?} {:?} {lay:?} {:?} {shape:?}", file.bodies(), file.spec.gas)
 }
 
 /// Bodies or an interface, a surface by `way`, and a counterface by another.
@@ -102,8 +115,11 @@ fn scenes(bodies: bool, way: usize, counterface: Option<usize>) -> Vec<Section> 
 /// The sections with a number in the place of that of an input, or beside those that are written;
 /// `None` for one that stands for others.
 fn edited(sections: &[Section], name: &str, number: f64) -> Option<Vec<Section>> {
-    let bodies: Vec<usize> = (0..sections.len()).filter(|k| sections[*k].0 == "[body]").collect();
+    let all_of = |name: &str| (0..sections.len()).filter(|k| sections[*k].0 == name).collect();
+    let (bodies, curved): (Vec<usize>, Vec<usize>) = (all_of("[body]"), all_of("curvature"));
+    let is_curved = |key: &Key| key.subject == Subject::Curvature && key.name == name;
     let (of, key) = match name.split_once('_') {
+        _ if KEYS.iter().any(is_curved) => (curved, name),
         Some(("body1", key)) => (vec![bodies[0]], key),
         Some(("body2", key)) => (vec![bodies[1]], key),
         Some(("counterface", key)) => (vec![sections.len() - 1], key),
@@ -133,6 +149,7 @@ fn edited(sections: &[Section], name: &str, number: f64) -> Option<Vec<Section>>
             Subject::Body | Subject::Interface => section == "interface",
             Subject::Scene => section == if bodies.is_empty() { "interface" } else { "" },
             Subject::Surface => section.starts_with("surface"),
+            Subject::Curvature => true,
             _ => section.starts_with("surface") && is_drawn(&sections[k]),
         };
         if is_home {
@@ -150,10 +167,17 @@ fn every_number_of_every_description_is_edited_where_it_was_written() {
     let (mut edits, mut others, mut refused) = (0, 0, 0);
     let last = WAYS.len() - 1;
     for way in 0..WAYS.len() {
-        for (counterface, bodies, more) in
-            [(None, false, ""), (Some(last - way), true, "mean_plane_offset = 2e-6\n")]
-        {
-            let sections = scenes(bodies, way, counterface);
+        let offset = "mean_plane_offset = 2e-6\n";
+        for (counterface, bodies, more, curved) in [
+            (None, false, "", CURVED[0]),
+            (Some(last - way), true, offset, CURVED[0]),
+            (None, true, "", CURVED[1 + way % (CURVED.len() - 1)]),
+        ] {
+            let mut sections = scenes(bodies, way, counterface);
+            if !curved.is_empty() {
+                sections[0].1.clear();
+                sections.insert(1, ("curvature", curved.to_vec()));
+            }
             let file = read(&text(&sections, more));
             for (name, input) in file.all_inputs() {
                 let given = file.value_of(input);

@@ -7,7 +7,8 @@ use asperity::{At, Quantity, Severity, Tolerance};
 use asperity_answer::{Sheet, lines, scene_findings, solve, title, with_ranges};
 use clap::Args;
 
-use crate::input::args::{OutputArgs, loads, tolerance};
+use crate::input::args::{OutputArgs, approaches, check_approaches, loads, tolerance};
+use crate::input::distances::metre;
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load_or_tension, pressure_or_tension};
 use crate::interrupt::Terminal;
@@ -44,7 +45,7 @@ pub struct Answer {
     output: OutputArgs,
 }
 
-/// Loads or pressures.
+/// Loads, pressures or approaches.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 struct Loads {
@@ -54,12 +55,17 @@ struct Loads {
     /// Loads as pressures on the nominal area: in Pa, or with a unit, for example 5MPa
     #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = all(pressure_or_tension))]
     pressures: Vec<Numbers>,
+    /// Approaches of curved bodies: in m, or with a unit, for example 5um
+    #[arg(long = "approach", value_name = "A:B:N[:log]|v,v", value_parser = all(metre))]
+    approaches: Vec<Numbers>,
 }
 
 impl Answer {
     pub fn run(self) -> Result<()> {
-        let mut scene = LoadedScene::open(&self.scene)?.flat()?;
-        let at: Vec<At> = loads(&self.place.loads, &self.place.pressures).collect();
+        let mut scene = LoadedScene::open(&self.scene)?;
+        check_approaches("answer", scene.file.shape().is_some(), &self.place.approaches);
+        let at = loads(&self.place.loads, &self.place.pressures);
+        let at: Vec<At> = at.chain(approaches(&self.place.approaches)).collect();
         if self.solve {
             scene.file.solved = solve(&scene.file, &at, &Terminal::default())?;
         }

@@ -114,7 +114,6 @@ impl Places {
 impl BemCommand {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load_scan(&self.scene, self.press.options(), self.compare)?
-            .flat()?
             .taken_at(&self.end)?;
         let given = self.places.given(scene.file.scene.nominal_area);
         for (name, path) in [("--picture", &self.picture), ("--flow-picture", &self.flow_picture)] {

@@ -51,7 +51,6 @@ impl Check {
         let place = place.or(self.separation.map(separation));
         // If the model is refused, the findings of the scene give the reason.
         let answered = place.map(|place| -> Result<CheckedScene> {
-            scene.file.need_flat()?;
             let middle = LoadedScene { file: scene.file.middle()?, name: scene.name.clone() };
             let model = middle.model(self.model.as_deref())?;
             Ok(scene.file.check(Some((&model, place)))?)

@@ -105,7 +105,7 @@ impl Curve {
             usage_error("curve", ErrorKind::MissingRequiredArgument, text);
         }
         let scene = LoadedScene::load_pressing(&self.asked.scene, ids, press)?;
-        let is_curved = scene.file.spec.curvature.is_some();
+        let is_curved = scene.file.shape().is_some();
         self.asked.check_places(is_curved);
         let usual = if is_curved { &OF_BODIES[..] } else { &USUAL };
         let mut request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), usual);
@@ -114,7 +114,7 @@ impl Curve {
             request.quantities.retain(|quantity| *quantity != Quantity::Approach);
         }
         let ids = match &self.asked.models[..] {
-            [] if !is_curved => best_and_nearest(&scene.file, &request)?,
+            [] => best_and_nearest(&scene.file, &request)?,
             named => named.to_vec(),
         };
         let fill = |file: &_, sheet: &mut _| self.answer(file, (&ids, &request), sheet);
@@ -166,7 +166,7 @@ impl Curve {
     /// The patch of one model at one load.
     fn write_profile(&self, scene: &LoadedScene, request: &Request, path: &Path) -> Result<()> {
         let ([id], [At::Load(load)], Some(_)) =
-            (&self.asked.models[..], &request.at[..], scene.file.spec.curvature)
+            (&self.asked.models[..], &request.at[..], scene.file.shape())
         else {
             let text = "--profile is of one --model at one --load, of a scene with [curvature]";
             usage_error("curve", ErrorKind::ArgumentConflict, text);

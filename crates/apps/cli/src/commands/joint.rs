@@ -138,8 +138,7 @@ impl Joint {
     pub fn run(self) -> Result<()> {
         let ids = self.model.as_slice();
         let press = self.press.of_models("joint", ids);
-        let scene =
-            LoadedScene::load_pressing(&self.scene, ids, press)?.flat()?.taken_at(&self.end)?;
+        let scene = LoadedScene::load_pressing(&self.scene, ids, press)?.taken_at(&self.end)?;
         let model = scene.one_or_usual(self.model.as_deref())?;
         let (laws, is_scan) = (once(&self.laws), model.id() == Bem::ID);
         if is_scan && laws != [UnloadingLaw::Hertz] {

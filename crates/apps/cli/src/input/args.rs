@@ -164,10 +164,7 @@ impl ModelArgs {
         let is_of_bodies = !(self.loads.is_empty() && self.approaches.is_empty());
         let text = match is_curved {
             true if !is_of_bodies => "the scene has [curvature]: give --load or --approach",
-            false if !self.approaches.is_empty() => {
-                "--approach is of curved bodies, and the scene has no [curvature]: give --load, --pressure or --separation"
-            }
-            _ => return,
+            _ => return check_approaches("curve", is_curved, &self.approaches),
         };
         usage_error("curve", ErrorKind::ArgumentConflict, text);
     }
@@ -185,8 +182,7 @@ impl ModelArgs {
             .iter()
             .flat_map(|list| list.value.iter().map(|value| separation(*value, list.unit)));
         let films = films(&self.films, &self.ratios);
-        let approaches = self.approaches.iter().flat_map(|list| &list.0);
-        let approaches = approaches.map(|approach| At::from(Separation::metres(-approach)));
+        let approaches = approaches(&self.approaches);
         let given =
             separations.chain(films).chain(approaches).chain(loads(&self.loads, &self.pressures));
         let given: Vec<At> = given.collect();
@@ -206,6 +202,20 @@ pub fn films<'n>(
     let films = films.into_iter().flat_map(|list| &list.0).map(|film| Separation::metres(*film));
     let ratios = ratios.into_iter().flat_map(|list| &list.0).copied().map(Separation::film_ratio);
     films.map(Separation::from_surface_mean).chain(ratios).map(At::from)
+}
+
+/// The places of approaches of curved bodies.
+pub fn approaches(given: &[Numbers]) -> impl Iterator<Item = At> {
+    let given = given.iter().flat_map(|list| &list.0);
+    given.map(|approach| At::from(Separation::metres(-approach)))
+}
+
+/// Ends with a message where approaches are given and the bodies are flat.
+pub fn check_approaches(command: &str, is_curved: bool, given: &[Numbers]) {
+    if !is_curved && !given.is_empty() {
+        let text = "--approach is of curved bodies, and the scene has no [curvature]: give --load or --pressure";
+        usage_error(command, ErrorKind::ArgumentConflict, text);
+    }
 }
 
 /// The places of loads and of pressures.

@@ -7,10 +7,11 @@ from dataclasses import dataclass, field
 from html import escape
 from typing import Any
 
+import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import Rows, floats, one_scene, place
+from asperity._arguments import Rows, floats, in_si, one_number, one_scene, place
 from asperity._asperity import Scene
 from asperity._model import Model, as_model
 from asperity._table import Table
@@ -53,7 +54,9 @@ class Answer(Table):
         for quantity in quantities:
             head = columns[quantity]
             name = quantity.replace("-", "_")
-            column = self.columns[f"{name}{end}{head.removeprefix(name)}"]
+            # Of curved bodies there are no ends.
+            none = np.full(len(self["model"]), np.nan)
+            column = self.columns.get(f"{name}{end}{head.removeprefix(name)}", none)
             found[quantity] = float(column[0]) if len(column) == 1 else column
         return found
 
@@ -79,12 +82,13 @@ def answer(
     quantities: str | Sequence[str] | None,
     load: npt.ArrayLike | None,
     pressure: npt.ArrayLike | None,
+    approach: npt.ArrayLike | None,
     rtol: float,
     solve: bool,
     solved: Table | None,
 ) -> Answer:
     """What ``Scene.answer`` gives."""
-    axis, given = place(load=load, pressure=pressure)
+    axis, given = place(load=load, pressure=pressure, approach=approach)
     numbers = floats(given, axis).ravel().tolist()
     solving: Any = solve if solved is None else _solved(solved)
     table, (behind, lines) = _asperity.best(scene, (axis, numbers), quantities, rtol, solving)
@@ -94,6 +98,12 @@ def answer(
     ends = {name: found._ends(own, end) for name, end in _ENDS.items()}
     vars(found).update(ends, by=behind[0], widest=behind[1], also=behind[2], lines=lines)
     return found
+
+
+def profile(scene: Scene, load: float | str, model: str, rtol: float) -> Table:
+    """What ``Scene.profile`` gives."""
+    number = one_number("load", in_si(load, "N"))
+    return Table(*_asperity.profile(scene, number, model, rtol))
 
 
 _ENDS = {"value": "", "lower": "_lower", "upper": "_upper"}

@@ -105,6 +105,7 @@ Failures: TypeAlias = list[tuple[int, BaseException]]
 AXES = {
     "asperity_height_std": ("separation", "separation", "asperity_height_std"),
     "m": ("separation_m", "separation", "m"),
+    "approach": ("approach_m", "approach", "m"),
     "load": ("load_N", "load", "N"),
     "pressure": ("pressure_Pa", "pressure", "Pa"),
     "film": ("film_m", "film", "m"),
@@ -226,7 +227,7 @@ class Rows:
     def __init__(self, scenes: SceneLike, axis: str, numbers: npt.ArrayLike) -> None:
         #: The meaning of the numbers.
         self.axis = axis
-        name = axis if axis in LOADS else "separation"
+        name = axis if axis in (*LOADS, "approach") else "separation"
         #: The numbers in their shape.
         self.given: Floats = floats(np.ma.getdata(numbers), name)
         #: The scenes as given.
@@ -259,6 +260,11 @@ class Rows:
     def is_one(self) -> bool:
         """Whether there is a single scene."""
         return isinstance(self.scenes, Scene)
+
+    @property
+    def is_curved(self) -> bool:
+        """Whether the bodies of the scenes are curved."""
+        return any(file.curvature is not None for file in self.files)
 
     @property
     def index(self) -> npt.NDArray[np.int64]:

@@ -44,6 +44,7 @@ __all__ = [
     "column_of",
     "model_ids",
     "plan",
+    "profile",
     "pull_off",
     "quantities",
     "quantity",
@@ -94,12 +95,13 @@ class Scene:
         cls,
         interface: Interface,
         surface: Surface | Mapping[str, Any],
-        nominal_area: _Number,
+        nominal_area: _Number | None = None,
         heights: _Heights = "gaussian",
         separation_from: Literal["asperity-mean", "surface-mean"] = "asperity-mean",
         mean_plane_offset: _Number | None = None,
         options: _Options | None = None,
         accept: Sequence[str] = (),
+        curvature: Mapping[str, _Number] | None = None,
     ) -> Scene: ...
     @staticmethod
     def from_toml(path: str | PathLike[str], accept: Sequence[str] = ()) -> Scene: ...
@@ -115,6 +117,7 @@ class Scene:
     mean_plane_offset: Final[float | None]
     options: Final[dict[str, str | float | dict[str, float]]]
     accept: Final[tuple[str, ...]]
+    curvature: Final[dict[str, float] | None]
     def replace(self, **numbers: _Number) -> Scene: ...
     def vary(self, **columns: npt.ArrayLike) -> Scenes: ...
     def at(self, end: str) -> Scene: ...
@@ -127,10 +130,14 @@ class Scene:
         *,
         load: npt.ArrayLike | None = None,
         pressure: npt.ArrayLike | None = None,
+        approach: npt.ArrayLike | None = None,
         rtol: _Float = 1e-10,
         solve: bool = False,
         solved: Table | None = None,
     ) -> Answer: ...
+    def profile(
+        self, load: float | str, model: str = "best", *, rtol: _Float = 1e-6
+    ) -> Table: ...
     def flow_factors(
         self,
         lambda_ratio: Sequence[float],
@@ -262,6 +269,7 @@ class Contact:
         *,
         load: npt.ArrayLike | None = None,
         pressure: npt.ArrayLike | None = None,
+        approach: npt.ArrayLike | None = None,
     ) -> Any: ...
     def prepare(self, low: float | str, high: float | str) -> None: ...
     model: Final[str]
@@ -383,6 +391,7 @@ def separations(
 ) -> tuple[_Floats | list[_Floats], _Failures]: ...
 def shares(asked: _Asked) -> dict[str, _Floats]: ...
 def plan(asked: _Asked) -> tuple[str, _Fields]: ...
+def profile(scene: Scene, load: _Float, model: str, rtol: _Float) -> _Table: ...
 def best(
     scene: Scene,
     place: tuple[str, Sequence[_Float]],

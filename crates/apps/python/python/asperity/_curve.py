@@ -152,8 +152,8 @@ class Curve:
         for name, values in rows.columns.items():
             table[_asperity.column_of(name)] = values[places]
         table[AXES[rows.axis][0]] = np.broadcast_to(rows.given, rows.shape).ravel()
-        # Boundary elements would be solved again.
-        if rows.axis in LOADS and self._engine.id != "bem":
+        # Boundary elements would be solved again; of curved bodies the approach is a quantity.
+        if rows.axis in LOADS and self._engine.id != "bem" and not rows.is_curved:
             table[AXES[self.separation_unit][0]] = np.ma.filled(self.separation, np.nan).ravel()
         heads = _asperity.quantities(self._columns)
         filled = {heads[q]: np.ma.filled(v, np.nan).ravel() for q, v in self._columns.items()}

@@ -184,6 +184,7 @@ class Model(Engine):
         pressure: npt.ArrayLike | None = None,
         film: npt.ArrayLike | None = None,
         lambda_ratio: npt.ArrayLike | None = None,
+        approach: npt.ArrayLike | None = None,
         errors: str = "raise",
     ) -> Curve:
         """Quantities at separations, or under loads or pressures.
@@ -214,6 +215,10 @@ class Model(Engine):
         film, lambda_ratio : array_like, optional
             In the place of separations: films [m] between the mean planes of the surfaces, and their
             ratios to the standard deviation of the surface heights.
+        approach : array_like, optional
+            Approaches of curved bodies [m]. These have "approach", "approach-beyond-hertz", "axis-x",
+            "axis-y", "effective-radius", "central-separation" [m], "peak-pressure" [Pa],
+            "peak-pressure-ratio" and "central-area-fraction", and totals of their patch.
         errors : "raise" or "mask"
             The treatment of a refused row, as with a load that no separation carries: it raises; or
             its values are masked, and ``Curve.failures`` has the reason.
@@ -230,7 +235,8 @@ class Model(Engine):
                [7.15e-07]])
         """
         given = {"separation": separation, "load": load, "film": film, "lambda_ratio": lambda_ratio}
-        rows = Rows(scene, *place(separation_unit, **given, pressure=pressure))
+        given |= {"approach": approach, "pressure": pressure}
+        rows = Rows(scene, *place(separation_unit, **given))
         checked_errors(errors)
         name, columns, failures, found = rows.answer(self, quantities, rtol, "value", errors, True)
         for message in found:

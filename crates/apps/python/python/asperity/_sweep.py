@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 #: The meanings of places, with the unit of a load or pressure.
-PLACES = {"separation": None, "load": "N", "pressure": "Pa"}
+PLACES = {"separation": None, "load": "N", "pressure": "Pa", "approach": "m"}
 #: What was asked, as an attribute of the result, and the states of a row.
 ASKED = "asperity_sweep"
 STATES = {"missing": 0, "value": 1, "refused": 2}
@@ -290,7 +290,8 @@ def _answer(
     where = columns.pop("separation" if axis not in PLACES else axis)
     if not columns:
         # A single scene is integrated otherwise, with digits that depend on the other rows.
-        columns = {"nominal_area": np.full(where.shape, scene.nominal_area)}
+        name, value = next(iter((scene.curvature or {"nominal_area": scene.nominal_area}).items()))
+        columns = {name: np.full(where.shape, value)}
     rows = Rows(scene.vary(**columns), axis, where)
     _, found, failures, messages = rows.answer(engine, list(heads), rtol, "value", errors)
     told |= dict.fromkeys(messages)

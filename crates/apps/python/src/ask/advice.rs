@@ -6,7 +6,7 @@ use asperity::{
     At, Check, Code, Compared, ContactError, ContactModel, Finding, Findings, Model, Quantity,
     Request, Scene, Severity, SolvedContact,
 };
-use asperity_answer::{Answer, Cell, Sheet, check_sheet, lines, solve, uncertain};
+use asperity_answer::{Answer, Cell, Sheet, check_sheet, lines, patch, solve, uncertain};
 use pyo3::prelude::*;
 
 use crate::ask::asked::{Arguments, Asked};
@@ -156,6 +156,20 @@ pub(crate) enum Solving {
 /// What stands behind an answer, and its lines as the program prints them.
 type Behind = ([String; 3], Vec<Vec<String>>);
 
+/// The patch of curved bodies under a load [N].
+#[pyfunction]
+pub(crate) fn profile<'py>(
+    py: Python<'py>,
+    scene: &SceneFile,
+    load: f64,
+    model: &str,
+    rtol: f64,
+) -> PyResult<Table<'py>> {
+    let (file, tolerance) = (&scene.0, tolerance(rtol)?);
+    let [all, _] = py.detach(|| patch(file, model, load, tolerance)).map_err(value_error)?;
+    table(py, &all)
+}
+
 /// What is known best about a scene under loads.
 #[pyfunction]
 pub(crate) fn best<'py>(
@@ -168,6 +182,7 @@ pub(crate) fn best<'py>(
 ) -> PyResult<(Table<'py>, Behind)> {
     let mut file = (*scene.0).clone();
     let (axis, numbers) = place;
+    axis.check(&file)?;
     let at: Vec<At> =
         numbers.into_iter().map(|one| axis.at(one, file.spec.separation_from)).collect();
     file.solved = match solving {

@@ -59,7 +59,10 @@ impl Asked {
                         self.read(aspect, range.start, contact.respond(&self.request_at(range)))
                     })
                 };
-                run_stretches(py, (len, ROWS_PER_TASK_ON_ONE_SCENE), run, ends)?
+                run_stretches(py, (len, self.together(ROWS_PER_TASK_ON_ONE_SCENE)), run, ends)?
+            }
+            None if self.rows.are_curved() => {
+                run_stretches(py, (len, 1), |range| self.alone(aspect, range.start), ends)?
             }
             None => {
                 let sweep =
@@ -75,6 +78,19 @@ impl Asked {
 
     fn request_at(&self, range: Range<usize>) -> Request {
         self.request.clone().at(range.map(|row| self.rows.at(row)))
+    }
+
+    /// The values of a row that shares nothing with others.
+    fn alone(&self, aspect: Aspect, row: usize) -> Answer {
+        let response = || {
+            let file = self.rows.file_of(row)?;
+            self.model_on(&file)?.solve(&file.scene, &self.request_at(row..row + 1))
+        };
+        let refused = |error| {
+            let columns = vec![vec![f64::NAN]; self.request.quantities.len()];
+            Answer { columns, failures: vec![(row, error)], warnings: vec![] }
+        };
+        response().map_or_else(refused, |found| self.read(aspect, row, found))
     }
 
     /// Many values at once; none if one of them needs a finding.

@@ -1,5 +1,6 @@
 //! What the package asks: a model on rows, for quantities within a tolerance.
 
+use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -40,6 +41,7 @@ pub(crate) type Arguments<'py> = (Py<Engine>, Rows, Object<'py>, Object<'py>);
 
 impl Asked {
     pub(crate) fn new((engine, rows, quantities, rtol): Arguments<'_>) -> PyResult<Self> {
+        rows.check_axis()?;
         let model = engine.get().on_all(&rows.files)?;
         let quantities: Quantities = argument("quantities", &quantities)?;
         let request = quantities.request(argument("rtol", &rtol)?)?;
@@ -48,6 +50,26 @@ impl Asked {
 
     pub(crate) fn engine(&self) -> &Engine {
         self.engine.get()
+    }
+
+    /// The model on the scene of a row: curved bodies have one of their own.
+    pub(crate) fn model_on(
+        &self,
+        file: &asperity_scene::SceneFile,
+    ) -> Result<Cow<'_, Model>, ContactError> {
+        if file.shape().is_none() {
+            return Ok(Cow::Borrowed(&self.model));
+        }
+        let refused = |reason: PyErr| {
+            let model = self.model.id().into();
+            ContactError::Refused { model, reason: reason.to_string() }
+        };
+        self.engine().on(file).map(Cow::Owned).map_err(refused)
+    }
+
+    /// Rows of one task on a single scene: curved bodies are solved row by row.
+    pub(crate) fn together(&self, usual: usize) -> usize {
+        if self.rows.are_curved() { 1 } else { usual }
     }
 
     pub(crate) fn raise(&self, py: Python<'_>, refusal: ContactError) -> PyErr {
@@ -75,7 +97,10 @@ impl Asked {
         let one: Option<Arc<dyn Contact>> = one.transpose()?.map(Arc::from);
         let compiled = |row| match &one {
             Some(one) => Ok(one.clone()),
-            None => model.compile(&self.rows.scene(row)?, request).map(Arc::from),
+            None => {
+                let file = self.rows.file_of(row)?;
+                self.model_on(&file)?.compile(&file.scene, request).map(Arc::from)
+            }
         };
         // Rows of one scene together, which is compiled once.
         let mut order: Vec<usize> = (0..self.rows.len()).collect();

@@ -78,22 +78,28 @@ impl Contact {
     }
 
     /// One of the compiled quantities, in SI units, at separations or under loads [N] or pressures
-    /// [Pa].
-    #[pyo3(signature = (quantity, separation=None, *, load=None, pressure=None))]
+    /// [Pa]; of curved bodies under loads or at approaches [m].
+    #[pyo3(signature = (quantity, separation=None, *, load=None, pressure=None, approach=None))]
     fn evaluate<'py>(
         &self,
         quantity: &str,
         separation: Option<&Object<'py>>,
         load: Option<&Object<'py>>,
         pressure: Option<&Object<'py>>,
+        approach: Option<&Object<'py>>,
     ) -> PyResult<Object<'py>> {
         let quantity: Quantity = quantity.parse().map_err(value_error)?;
-        match (separation, load, pressure) {
-            (Some(separation), None, None) => self.values(quantity, self.axis, separation),
-            (None, Some(load), None) => self.values(quantity, Axis::Load, load),
-            (None, None, Some(pressure)) => self.values(quantity, Axis::Pressure, pressure),
+        let given = [
+            (self.axis, separation),
+            (Axis::Load, load),
+            (Axis::Pressure, pressure),
+            (Axis::Approach, approach),
+        ];
+        let mut given = given.into_iter().filter_map(|(axis, numbers)| Some((axis, numbers?)));
+        match (given.next(), given.next()) {
+            (Some((axis, numbers)), None) => self.values(quantity, axis, numbers),
             _ => Err(PyTypeError::new_err(
-                "exactly one of separation, load and pressure was required",
+                "exactly one of separation, load, pressure and approach was required",
             )),
         }
     }
@@ -193,6 +199,7 @@ impl Contact {
         if let Some(&quantity) = quantities.iter().find(|q| !self.request.quantities.contains(q)) {
             return Err(value_error(ContactError::NotRequested { quantity }));
         }
+        axis.check(&self.file)?;
         let (given, is_si) = Given::read(numbers, "separation", axis.si())?;
         let axis = if is_si { axis.in_si() } else { axis };
         axis.warn_of_unit(py, "separation", given.numbers()?, &self.file, 0)?;
@@ -203,7 +210,8 @@ impl Contact {
         let one = |_, number| {
             Ok(one(&*contact, axis.at(number, from))?.map(|evaluation| evaluation.value()))
         };
-        given.each(py, ROWS_PER_TASK_ON_ONE_SCENE, one, |error| self.raise(py, error))
+        let together = if self.file.shape().is_some() { 1 } else { ROWS_PER_TASK_ON_ONE_SCENE };
+        given.each(py, together, one, |error| self.raise(py, error))
     }
 
     /// Columns of many values at separations, in a few nanoseconds each; none if a row needs more.

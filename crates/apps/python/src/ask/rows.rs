@@ -59,6 +59,16 @@ impl Rows {
         self.index.get(row).map_or(0, |place| *place as usize)
     }
 
+    /// Whether bodies of a scene are curved.
+    pub(crate) fn are_curved(&self) -> bool {
+        self.files.iter().any(|file| file.shape().is_some())
+    }
+
+    /// Refuses places that a scene does not have.
+    pub(crate) fn check_axis(&self) -> PyResult<()> {
+        self.files.iter().try_for_each(|file| self.axis.check(file))
+    }
+
     /// The number of scenes.
     pub(crate) fn scenes(&self) -> usize {
         self.columns.first().map_or(self.files.len(), |(_, column)| column.len())

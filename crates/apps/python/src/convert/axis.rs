@@ -12,6 +12,8 @@ pub(crate) enum Axis {
     Separation(SeparationUnit),
     /// A film, from the mean plane of the surface.
     Film(SeparationUnit),
+    /// Of curved bodies [m].
+    Approach,
     Load,
     Pressure,
 }
@@ -28,6 +30,7 @@ impl<'py> FromPyObject<'_, 'py> for Axis {
             "m" => Ok(METRES),
             "film" => Ok(Self::Film(SeparationUnit::Metres)),
             "lambda_ratio" => Ok(Self::Film(SeparationUnit::SurfaceStd)),
+            "approach" => Ok(Self::Approach),
             "load" => Ok(Self::Load),
             "pressure" => Ok(Self::Pressure),
             other => Err(value_error(format!(
@@ -41,7 +44,7 @@ impl Axis {
     /// The SI unit of its numbers in texts.
     pub(crate) fn si(self) -> &'static str {
         match self {
-            Self::Separation(_) | Self::Film(_) => "m",
+            Self::Separation(_) | Self::Film(_) | Self::Approach => "m",
             Self::Load => "N",
             Self::Pressure => "Pa",
         }
@@ -50,6 +53,19 @@ impl Axis {
     /// The axis of numbers in that SI unit.
     pub(crate) fn in_si(self) -> Self {
         if let Self::Separation(_) = self { METRES } else { self }
+    }
+
+    /// Refuses places that a scene does not have.
+    pub(crate) fn check(self, file: &asperity_scene::SceneFile) -> PyResult<()> {
+        Err(value_error(match (self, file.shape()) {
+            (Self::Separation(_) | Self::Film(_), Some(_)) => {
+                "the bodies of the scene are curved: give load or approach"
+            }
+            (Self::Approach, None) => {
+                "approach is of curved bodies, and those of the scene are flat: give load, pressure or separation"
+            }
+            _ => return Ok(()),
+        }))
     }
 
     /// The length of the unit of separations on a scene [m].
@@ -62,6 +78,7 @@ impl Axis {
         match self {
             Self::Separation(unit) => Separation { value, unit, from }.into(),
             Self::Film(unit) => Separation { value, unit, from: Datum::SurfaceMean }.into(),
+            Self::Approach => Separation::metres(-value).into(),
             Self::Load => At::Load(value),
             Self::Pressure => At::Pressure(value),
         }

@@ -65,7 +65,7 @@ impl JointTable {
         for end in [ends.0, ends.1] {
             axis.warn_of_unit(py, "separation", &[end], &file, 1)?;
         }
-        let named = model.get().on(&file)?;
+        let named = model.get().on_flat(&file)?;
         let (metres, plane, table) = model.get().run(py, || {
             let joint = joints::Joint::new(&named, &file.scene, parsed, Tolerance::default())?;
             let metres = axis.metres(joint.scene());

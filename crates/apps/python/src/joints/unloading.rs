@@ -57,7 +57,7 @@ impl Unloading {
         let law = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let (axis, unit): (Axis, Axis) = (place.0.extract()?, separation_unit.extract()?);
         axis.warn_of_unit(py, "separation", &[place.1], &file, 1)?;
-        let (named, tolerance) = (model.get().on(&file)?, tolerance(rtol)?);
+        let (named, tolerance) = (model.get().on_flat(&file)?, tolerance(rtol)?);
         let at = axis.at(place.1, file.spec.separation_from);
         let (joint, whole, closest) = model.get().run(py, || {
             let whole = joints::Joint::new(&named, &file.scene, law, tolerance)?;

@@ -162,7 +162,8 @@ impl Engine {
                 file.model_with(&self.options(options)?, id).map_err(value_error)
             }
             (Kind::Named { id, .. }, None) => self.options(options)?.model(id).map_err(value_error),
-            (Kind::Python { model, .. }, _) => Ok(model.clone()),
+            (Kind::Python { model, .. }, Some(file)) => Ok(file.between(model.clone())),
+            (Kind::Python { model, .. }, None) => Ok(model.clone()),
         }
     }
 
@@ -177,6 +178,12 @@ impl Engine {
     /// The model on a scene; options of the model replace the scene's.
     pub(crate) fn on(&self, file: &SceneFile) -> PyResult<Model> {
         self.with(file.spec.options, Some(file))
+    }
+
+    /// The model on a scene of flat bodies.
+    pub(crate) fn on_flat(&self, file: &SceneFile) -> PyResult<Model> {
+        file.need_flat().map_err(value_error)?;
+        self.on(file)
     }
 
     /// The model on all scenes, whose options must agree.

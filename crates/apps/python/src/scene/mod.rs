@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use asperity::{Code, ContactError, HeightDistribution, Quantity};
-use asperity_scene::Bodies;
+use asperity_scene::{Bodies, Keys};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
@@ -34,7 +34,7 @@ type Uppers = BTreeMap<String, Vec<bool>>;
 ///     ``{"ra": "0.8 um", "finish": "ground"}``: such a surface is known within ranges, and
 ///     ``asperity.ranges`` gives answers on it.
 /// nominal_area : float or str
-///     The apparent area of contact [m^2], above 0.
+///     The apparent area of contact [m^2], above 0, of flat bodies.
 /// heights : "gaussian", "exponential", {"skewness": s} or (heights, densities)
 ///     The distribution of the asperity heights. A skewness from -1 to 2 stands for a Weibull
 ///     density. A table has heights [m], ascending, and the density there [1/m]: linear between its
@@ -49,6 +49,10 @@ type Uppers = BTreeMap<String, Vec<bool>>;
 ///     Options of the models, as in the section [options] of a scene file.
 /// accept : sequence of str
 ///     Codes of warnings that are not emitted, as "few-contacts"; each warning begins with its code.
+/// curvature : dict, optional
+///     Curved bodies, in the place of the nominal area: the keys of the section [curvature] of a
+///     scene file, as ``{"radius": "10 mm"}`` or ``{"radius_x": 0.46, "radius_y": 0.3}``. Models
+///     then answer under loads and at approaches.
 ///
 /// Examples
 /// --------
@@ -67,21 +71,22 @@ impl SceneFile {
     #[new]
     #[pyo3(
         signature = (
-            interface, surface, nominal_area, heights=None, separation_from="asperity-mean",
-            mean_plane_offset=None, options=None, accept=vec![]
+            interface, surface, nominal_area=None, heights=None, separation_from="asperity-mean",
+            mean_plane_offset=None, options=None, accept=vec![], curvature=None
         ),
-        text_signature = "(interface, surface, nominal_area, heights='gaussian', separation_from='asperity-mean', mean_plane_offset=None, options=None, accept=())"
+        text_signature = "(interface, surface, nominal_area=None, heights='gaussian', separation_from='asperity-mean', mean_plane_offset=None, options=None, accept=(), curvature=None)"
     )]
     #[expect(clippy::too_many_arguments, reason = "the signature in Python")]
     fn new(
         interface: &Object<'_>,
         surface: &Object<'_>,
-        nominal_area: &Object<'_>,
+        nominal_area: Option<&Object<'_>>,
         heights: Option<&Object<'_>>,
         separation_from: &str,
         mean_plane_offset: Option<&Object<'_>>,
         options: Option<BTreeMap<String, KeyValue>>,
         accept: Vec<String>,
+        curvature: Option<BTreeMap<String, KeyValue>>,
     ) -> PyResult<Self> {
         let mut of_surface = match surface.extract() {
             Ok(keys) => keys_of(keys),
@@ -97,15 +102,18 @@ impl SceneFile {
         of_surface.extend(offset.transpose()?.map(|x| ("mean_plane_offset".into(), x.into())));
         let of_pair = instance("interface", interface)?;
         let bodies = Bodies::of(records::bodies(interface)?, of_pair);
-        let area = number("Scene", "nominal_area", nominal_area)?;
+        let area = nominal_area.map(|given| number("Scene", "nominal_area", given)).transpose()?;
         let options = keys_of(options.unwrap_or_default());
         let sections: [(_, asperity_scene::OptionValue); 3] = [
             ("surface", of_surface.into()),
             ("options", options.into()),
             ("accept", accept.into()),
         ];
-        let keys = sections.map(|(name, value)| (name.to_string(), value)).into_iter().collect();
-        let made = asperity_scene::SceneFile::with_keys(&bodies, area, keys);
+        let shape = curvature.map(|keys| ("curvature", keys_of(keys).into()));
+        let area = area.map(|area| ("nominal_area", area.into()));
+        let keys = sections.into_iter().chain(area).chain(shape);
+        let keys = keys.map(|(name, value)| (name.to_string(), value)).collect();
+        let made = asperity_scene::SceneFile::with_keys(&bodies, keys);
         Ok(Self(Arc::new(made.map_err(value_error)?)))
     }
 
@@ -146,10 +154,18 @@ impl SceneFile {
         records::surface(py, &self.0.scene.surface, self.0.roughness())
     }
 
-    /// The apparent area of contact [m^2].
+    /// The apparent area of contact [m^2]; ``ValueError`` of curved bodies, which have none.
     #[getter]
-    fn nominal_area(&self) -> f64 {
-        self.0.scene.nominal_area
+    fn nominal_area(&self) -> PyResult<f64> {
+        self.0.need_flat().map_err(value_error)?;
+        Ok(self.0.scene.nominal_area)
+    }
+
+    /// The numbers of curved bodies in m, by their keys; None of flat bodies.
+    #[getter]
+    fn curvature<'py>(&self, py: Python<'py>) -> PyResult<Option<Object<'py>>> {
+        let keys = self.0.spec.curvature.and_then(|bodies| Keys::try_from(bodies).ok());
+        keys.map(|keys| object(py, &keys)).transpose()
     }
 
     /// The distribution of the asperity heights: its name, its skewness, or a table.
@@ -237,24 +253,45 @@ impl SceneFile {
     /// ``solve=True`` solves the scan at the loads; ``solved`` takes what ``asperity.bem`` has
     /// solved. By default the quantities are area, tangent, unloading-stiffness and, as the scene
     /// has them, tangential-stiffness and thermal-conductance-per-area; the mean gap is always
-    /// there.
+    /// there. Curved bodies have an answer under loads or at approaches [m], by one model, without
+    /// an interval.
     ///
     /// >>> import asperity
     /// >>> answer = asperity.Scene.parse(asperity.template()).answer(load="100 N")
     /// >>> answer.lower["area"] < answer.value["area"] < answer.upper["area"]
     /// True
-    #[pyo3(signature = (quantities=None, *, load=None, pressure=None, rtol=1e-10, solve=false, solved=None))]
+    #[pyo3(signature = (
+        quantities=None, *, load=None, pressure=None, approach=None, rtol=1e-10, solve=false,
+        solved=None
+    ))]
+    #[expect(clippy::too_many_arguments, reason = "the signature in Python")]
     fn answer<'py>(
         slf: &Bound<'py, Self>,
         quantities: Option<Object<'py>>,
         load: Option<Object<'py>>,
         pressure: Option<Object<'py>>,
+        approach: Option<Object<'py>>,
         rtol: f64,
         solve: bool,
         solved: Option<Object<'py>>,
     ) -> PyResult<Object<'py>> {
         let answer = slf.py().import("asperity._advice")?.getattr("answer")?;
-        answer.call1((slf, quantities, load, pressure, rtol, solve, solved))
+        answer.call1((slf, quantities, load, pressure, approach, rtol, solve, solved))
+    }
+
+    /// The patch of curved bodies under a load [N], by "best" or another model: at each point
+    /// ``x_m``, ``y_m``, ``pressure_Pa`` beside ``hertz_pressure_Pa`` of smooth bodies,
+    /// ``separation_m`` from the mean of the asperity heights, ``area_fraction``, and
+    /// ``tangential_flexibility_m3_per_N`` of the rough layer, to be added to that of the bodies.
+    #[pyo3(signature = (load, model="best", *, rtol=1e-6))]
+    fn profile<'py>(
+        slf: &Bound<'py, Self>,
+        load: Object<'py>,
+        model: &str,
+        rtol: f64,
+    ) -> PyResult<Object<'py>> {
+        let profile = slf.py().import("asperity._advice")?.getattr("profile")?;
+        profile.call1((slf, load, model, rtol))
     }
 
     /// One asperity of the surface with every input resolved.
@@ -266,7 +303,7 @@ impl SceneFile {
     /// The number of asperities: density times nominal area.
     #[getter]
     fn asperities(&self) -> PyResult<f64> {
-        Ok(self.0.scene.asperities())
+        Ok(self.0.scene.surface.asperity_density * self.nominal_area()?)
     }
 
     /// The square root of height_std over the critical interference.
@@ -331,12 +368,13 @@ impl SceneFile {
             None => self.surface(py)?,
         };
         arguments.set_item("surface", surface)?;
-        arguments.set_item("nominal_area", self.nominal_area())?;
+        arguments.set_item("nominal_area", self.nominal_area().ok())?;
         arguments.set_item("heights", self.heights(py)?)?;
         arguments.set_item("separation_from", self.separation_from(py)?)?;
         arguments.set_item("mean_plane_offset", self.mean_plane_offset())?;
         arguments.set_item("options", self.options(py)?)?;
         arguments.set_item("accept", self.accept(py)?)?;
+        arguments.set_item("curvature", self.curvature(py)?)?;
         Ok(arguments)
     }
 
@@ -390,7 +428,6 @@ impl SceneFile {
         accept: &[String],
     ) -> PyResult<Self> {
         let codes = accept.iter().map(|name| Code::named(name)).collect::<Result<Vec<_>, _>>();
-        let read = read.and_then(|file| file.need_flat().map(|()| file));
         let file = read.map_err(value_error)?.accepting(&codes.map_err(value_error)?);
         file.warnings.iter().try_for_each(|warning| warn(py, warning, 0))?;
         Ok(Self(Arc::new(file)))

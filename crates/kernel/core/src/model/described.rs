@@ -186,6 +186,11 @@ pub trait Described: fmt::Debug + Send + Sync {
 pub trait Wraps: fmt::Debug + Send + Sync {
     /// The other.
     fn inner(&self) -> &dyn Described;
+
+    /// An id of its own.
+    fn other_id(&self) -> Option<&str> {
+        None
+    }
 }
 
 impl<W: Wraps> Described for W {
@@ -194,7 +199,7 @@ impl<W: Wraps> Described for W {
     }
 
     fn id(&self) -> &str {
-        self.inner().id()
+        self.other_id().unwrap_or(self.inner().id())
     }
 
     fn name(&self) -> &str {
