@@ -15,11 +15,12 @@ use crate::height_map::height_map;
 use crate::heights::{HeightsKey, compare_std};
 use crate::input::SceneInput;
 use crate::interface::bodies;
-use crate::keys::{COUNTERFACE, CURVATURE, joined, keys_of};
+use crate::keys::{COUNTERFACE, CURVATURE, SEAL, joined, keys_of};
 use crate::options::ModelOptions;
 use crate::resolve::resolve;
 use crate::scans::{Asked, Scans, density};
 use crate::scene_file::SceneFile;
+use crate::seal::Seal;
 use crate::spec::{HeightsSpec, SceneSpec};
 use crate::surface::{Surfaces, notes, refused, surfaces};
 use crate::text_file::read_text;
@@ -115,6 +116,16 @@ fn curvature(document: &Document<'_>) -> Result<Option<Curvature>, SceneError> {
     }
 }
 
+/// The section `[seal]`.
+fn seal(document: &Document<'_>) -> Result<Option<Seal>, SceneError> {
+    if !document.has("seal") {
+        return Ok(None);
+    }
+    let mut found = Seal { gas: document.get("seal.gas")?, ..Seal::default() };
+    document.read_numbers("seal", SEAL, &mut found)?;
+    Ok(Some(found))
+}
+
 /// What a document says of its scene.
 fn spec(
     document: &Document<'_>,
@@ -138,6 +149,7 @@ fn spec(
     let heights = key.spec(document, table)?;
     let pressed = scans.as_ref().and_then(|scans| scans.sum.clone());
     let gas = gas(document)?;
+    let seal = seal(document)?;
     let spec = SceneSpec {
         counterface: second,
         is_smooth,
@@ -146,6 +158,7 @@ fn spec(
         separation_from,
         curvature,
         gas,
+        seal,
         options,
         accept,
         ..SceneSpec::new(bodies, first, nominal_area)

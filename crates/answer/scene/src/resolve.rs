@@ -7,7 +7,7 @@ use asperity::{ContactError, Interface, Pair, ProfileMoments, Scene, Surface, po
 use asperity_topography::Statistics;
 
 use crate::finish::Drawing;
-use crate::keys::COUNTERFACE;
+use crate::keys::{COUNTERFACE, SEAL};
 use crate::measured::Measured;
 use crate::spec::{Bodies, SceneSpec, SurfaceSpec};
 
@@ -118,6 +118,12 @@ pub(crate) fn resolve(spec: &SceneSpec) -> Result<(Scene, Option<Arc<Measured>>)
     }
     spec.curvature.map(|bodies| bodies.shape()).transpose().map_err(at("curvature"))?;
     spec.gas.map_or(Ok(()), |gas| gas.check()).map_err(at("gap"))?;
+    if let Some(seal) = &spec.seal {
+        for field in SEAL.iter().filter(|field| field.name != "downstream_pressure") {
+            positive(field.name, (field.get)(seal).unwrap_or(1.0)).map_err(at("seal"))?;
+        }
+        seal.resolved().map_err(at("seal"))?;
+    }
     let of_surface = at("surface");
     let one = One::new(&spec.surface, &interface).map_err(&of_surface)?;
     let two = spec.counterface.as_ref().map(|two| One::new(two, &interface));

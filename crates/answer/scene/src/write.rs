@@ -66,6 +66,9 @@ impl SceneFile {
         if let Some(gas) = spec.gas {
             top.insert("gap".into(), Table::try_from(gas).unwrap_or_default().into());
         }
+        if let Some(seal) = spec.seal {
+            top.insert("seal".into(), Table::try_from(seal).unwrap_or_default().into());
+        }
         top.insert("options".into(), spec.options.changed().into());
         for (input, Unknown { ends, .. }) in &self.ranges {
             let (section, key) = input.place(&spec.bodies);
@@ -73,7 +76,7 @@ impl SceneFile {
             section_mut(&mut top, &section).map(|table| table.insert(key.into(), ends));
         }
         let mut sections = String::new();
-        for name in ["body", "interface", "surface", "curvature", "gap", "options"] {
+        for name in ["body", "interface", "surface", "curvature", "gap", "seal", "options"] {
             let header = if name == "body" { "[[body]]" } else { &format!("[{name}]") };
             let all = match top.remove(name) {
                 Some(Value::Array(bodies)) => bodies,

@@ -39,6 +39,8 @@ pub(crate) enum Derivation {
     Gap,
     /// Of a map of the gap, and of no law of asperities.
     Map,
+    /// Of a map of the gap and a seal.
+    Seal,
     /// Of curved bodies.
     Bodies,
 }
@@ -298,6 +300,12 @@ quantities! {
         definition: "Estimate of the hydraulic gap from the distribution of the gap alone \
             (Bruggeman), 0 where half of the area or more is closed.",
         derivation: Derivation::Map,
+    }
+    Leak {
+        name: "leak", symbol: "m", unit: "kg/s", label: "leak",
+        definition: "Mass flow through the seal of the scene, whose faces the scan stands for; of a \
+            liquid without a density the volume flow.",
+        derivation: Derivation::Seal,
     }
     Approach {
         name: "approach", symbol: "delta", unit: "m", label: "approach of the bodies",
