@@ -160,11 +160,12 @@ pub fn basis(best: &BestContact<Model>, quantities: &[Quantity], at: At) -> Basi
 /// The nearest other models, and those that are not valid.
 fn also(best: &BestContact<Model>, at: At) -> String {
     let of = Compared::Area;
-    let own = best.by(of, at).map(|model| model.id().to_string());
-    let others = best.others(at).into_iter();
-    let others = others.filter(|other| Some(other.model.id()) != own.as_deref());
-    let (valid, others): (Vec<Other<Model>>, Vec<_>) =
-        others.partition(|other| other.outside.is_none());
+    let own = |of| best.by(of, at).map(Described::id);
+    let is_own = |other: &Other<Model>, of| own(of) == Some(other.model.id());
+    let (mut valid, mut others): (Vec<Other<Model>>, Vec<_>) =
+        best.others(at).into_iter().partition(|other| other.outside.is_none());
+    valid.retain(|other| !is_own(other, of));
+    others.retain(|other| !Compared::ALL.iter().any(|of| is_own(other, *of)));
     let off = |other: &Other<Model>| {
         let (_, off) = other.off.iter().find(|(known, _)| *known == of)?;
         let side = if *off < 0.0 { "low" } else { "high" };
@@ -178,8 +179,11 @@ fn also(best: &BestContact<Model>, at: At) -> String {
         text.push(format!("{} in {}", near.join(", "), of.label()));
     }
     let why = |other: Other<Model>| Some((other.outside?.code, other.model.id().to_string()));
-    for (code, ids) in grouped(others.into_iter().filter_map(why)) {
-        text.push(format!("not valid here: {} ({code})", ids.join(", ")));
+    let invalid = grouped(others.into_iter().filter_map(why)).into_iter();
+    let invalid: Vec<_> =
+        invalid.map(|(code, ids)| format!("{} ({code})", ids.join(", "))).collect();
+    if !invalid.is_empty() {
+        text.push(format!("not valid here: {}", invalid.join(", ")));
     }
     text.join("; ")
 }
@@ -249,12 +253,13 @@ pub fn lines(file: &SceneFile, sheet: &Sheet) -> Sheet {
     lines
 }
 
-/// The load of an answer and its pressure: `at 20 kN, 50 MPa`.
+/// The load of an answer, its pressure and what is in contact: `at 20 kN, 50 MPa,
+/// steel-4140-tempered on aluminium-6082-t6, ground, ra 0.8 um`.
 #[must_use]
 pub fn title(file: &SceneFile, at: At) -> String {
     let [load, pressure] = [(at.load(&file.scene), "N"), (at.pressure(&file.scene), "Pa")]
         .map(|(value, unit)| in_words(value.unwrap_or(0.0), unit));
-    format!("at {load}, {pressure}")
+    format!("at {load}, {pressure}, {}", file.in_words())
 }
 
 fn in_words(value: f64, unit: &str) -> String {

@@ -44,6 +44,7 @@ mod template;
 mod text_file;
 mod unknown;
 mod vary;
+mod words;
 mod write;
 
 pub use asperity::Asperities;

@@ -309,9 +309,7 @@ impl SceneFile {
         let ranges = unknowns.iter().map(range).collect::<Vec<_>>().join(", ");
         let found = Finding::note(Code::TakenAt, "at", share)
             .fact(format!("calculated {place} of the ranges of {ranges}"))
-            .advice(
-                "at lower and upper are the ends; curve, check and recommend answer with ranges",
-            );
+            .advice("at lower and upper are the ends; curve, check and answer give ranges");
         if unknowns.is_empty() {
             return Ok((self.clone(), None));
         }

@@ -103,6 +103,32 @@ fn ratios_to_the_nearest_model_are_kept_under_loads_lighter_than_solved_ones() {
 /// Boundary elements on a surface that had no part in the evidence (256 x 256 pixels, waves of 4.5
 /// to 28 µm, a Hurst exponent of 0.75; ψ = 1.7 and 6): 4.22e8 N/m at 0.29 H, and a mean gap of
 /// -8.98e-8 m at 0.7 H, both confirmed by differences and transforms of another program.
+/// From a thirtieth of the lightest solved load to two thirds of the hardness, where evidence ends.
+#[test]
+fn areas_and_stiffnesses_rise_with_the_load_and_gaps_fall() {
+    for (m4, hardness) in [(1.4e8, 3e9), (3e8, 7e9), (1e9, 2e9), (1.5e9, 12e9)] {
+        let mut scene = scene(m4);
+        scene.interface.hardness = Some(hardness);
+        let contact = contact(&scene, &ASKED);
+        let unit = 115e9 * 0.005f64.sqrt();
+        let pressures = std::iter::successors(Some(4e-7 * unit), |p| Some(1.25 * p));
+        let places = pressures.take_while(|p| *p < (0.65 * hardness).min(0.25 * unit));
+        let mut before: Option<[f64; 4]> = None;
+        for at in places.map(At::Pressure) {
+            let value = |quantity| contact.evaluate(quantity, at).unwrap().value();
+            let gap = contact.separation_in(SeparationUnit::Metres, Datum::SurfaceMean, at);
+            let of = [Quantity::Area, Quantity::Tangent, Quantity::UnloadingStiffness].map(value);
+            let now = [of[0], of[1], of[2], -gap.unwrap()];
+            if let Some(before) = before {
+                let rises = now.iter().zip(before).all(|(now, before)| *now > before);
+                assert!(rises, "m4 {m4}, H {hardness}, {at}: {before:?} {now:?}");
+            }
+            before = Some(now);
+        }
+        assert!(before.is_some());
+    }
+}
+
 #[test]
 fn nothing_is_stated_that_new_surfaces_refute() {
     let surface = |hardness: f64| {
@@ -164,7 +190,7 @@ fn without_evidence_the_first_valid_model_answers_without_an_interval() {
     let merged = best(&soft).known(Compared::Area, At::Pressure(1e6)).unwrap();
     assert!(merged.source == Source::Model("persson-fudge".into(), None) && merged.value <= 1.0);
     // Adhesion that matters is answered by a model of its range.
-    let mut sticky = Interface::elastic(1e6, 0.5);
+    let mut sticky = Interface::elastic(1e7, 0.5);
     sticky.work_of_adhesion = Some(0.1);
     let sticky = Scene::new(sticky, scene(3e8).surface, 1e-4);
     assert_eq!(best(&sticky).by(Compared::Area, At::Load(1.0)).unwrap().id(), "jkr");

@@ -100,8 +100,7 @@ impl Export<'_> {
         ];
         let numbers = numbers.map(|(name, value)| (name, rounded(value)));
         let blanks = numbers.each_ref().map(|(name, value)| (*name, &**value));
-        let title = format!("asperity {}, model {}", env!("CARGO_PKG_VERSION"), self.subject.id);
         let form = filled(&filled(include_str!("forms/film.txt"), &words), &blanks);
-        filled(&form, &[("title", &title)])
+        filled(&form, &[("title", &self.title()), ("converted", &self.origin("#", &[]))])
     }
 }

@@ -6,13 +6,14 @@ mod error_bound;
 mod film;
 mod interaction;
 mod kinks;
+mod origin;
 mod table;
 mod text;
 mod units;
 
 use std::str::FromStr;
 
-use asperity::{At, Code, Described, Quantity, Separation, SeparationUnit};
+use asperity::{At, Code, Quantity, Separation, SeparationUnit};
 
 use crate::subject::Subject;
 use crate::{AnswerError, Sheet, Watch};
@@ -176,8 +177,7 @@ impl Export<'_> {
             return Ok(Exported { text: self.film_text(sheet).map_err(of_model)?, errors: None });
         }
         let table = ContactTable::new(self).map_err(of_model)?;
-        let (id, version) = (self.subject.model.id(), env!("CARGO_PKG_VERSION"));
-        let mut text = table.text(self, &format!("asperity {version}, model {id}"))?;
+        let mut text = table.text(self)?;
         if let Some(against) = self.conductance {
             let asked = [Quantity::ThermalConductancePerArea];
             sheet.extend(self.subject.file.conduction_findings(&asked));

@@ -15,6 +15,8 @@ use crate::subject::{Outcome, Subject};
 
 /// More nodes than this are not added to meet an error.
 const MOST_NODES: usize = 100_000;
+/// Halvings in the search for the end of evidence.
+const BISECTIONS: usize = 12;
 
 /// One node.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,6 +89,7 @@ impl Builder {
     /// between those until no interpolated pressure is off by more than a relative error.
     fn between(&self, ends: [At; 2], count: usize, error: Option<f64>) -> Outcome<ContactTable> {
         let even = self.even(ends, count)?;
+        self.check_evidence(&even)?;
         let Some(error) = error else { return self.table(even) };
         asperity::positive("error", error)?;
         let mut nodes = vec![even[0]];
@@ -159,18 +162,27 @@ impl Builder {
         separations.into_iter().map(|s| self.node(s)).collect()
     }
 
-    fn table(&self, nodes: Vec<ContactNode>) -> Outcome<ContactTable> {
-        // Where evidence ends, its gaps and those of a model do not meet.
-        let known = |node: &ContactNode| self.contact.interval_at(None, node.separation.into());
-        let known: Vec<bool> = nodes.iter().map(|node| known(node).is_some()).collect();
-        if let Some(k) = known.windows(2).position(|pair| pair[0] != pair[1]) {
-            let [from, to] = [nodes[k].pressure, nodes[k + 1].pressure].map(short);
-            return Err(format!(
-                "{}: evidence ends between {from} and {to} Pa, where the pressure would jump; give a range on one side, or name a model",
-                self.contact.model()
-            )
-            .into());
+    /// Refuses a range in which evidence ends: its gaps and those of a model do not meet there.
+    fn check_evidence(&self, nodes: &[ContactNode]) -> Outcome {
+        let known = |separation: f64| self.contact.interval_at(None, separation.into()).is_some();
+        let all: Vec<bool> = nodes.iter().map(|node| known(node.separation)).collect();
+        let Some(k) = all.windows(2).position(|pair| pair[0] != pair[1]) else { return Ok(()) };
+        // Where, by bisection.
+        let [mut one, mut other] = [nodes[k].separation, nodes[k + 1].separation];
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (one + other);
+            *(if known(middle) == all[k] { &mut one } else { &mut other }) = middle;
         }
+        let end = if all[k] { one } else { other };
+        Err(format!(
+            "evidence ends at {} Pa, where the pressure would jump; give a range on one side, or name a model",
+            short(self.node(end)?.pressure)
+        )
+        .into())
+    }
+
+    fn table(&self, nodes: Vec<ContactNode>) -> Outcome<ContactTable> {
+        self.check_evidence(&nodes)?;
         let [mut pressure_error, mut stiffness_error] = [0.0_f64; 2];
         for (from, to) in nodes.iter().zip(&nodes[1..]) {
             if !self.monotone(from, to) {

@@ -12,9 +12,8 @@ use crate::subject::Outcome;
 const CURVE: usize = 200;
 
 impl ContactTable {
-    /// The table in its format, with clearances from the plane of the scene; `title` goes to its
-    /// comments.
-    pub(crate) fn text(&self, export: &Export<'_>, title: &str) -> Outcome<String> {
+    /// The table in its format, with clearances from the plane of the scene.
+    pub(crate) fn text(&self, export: &Export<'_>) -> Outcome<String> {
         let units = export.units.units();
         let heat = export.conductance.is_some();
         let (form, sign) = match export.format {
@@ -31,8 +30,8 @@ impl ContactTable {
         let mut text = filled(
             form,
             &[
-                ("title", title),
-                ("converted", &units.conversion(0, sign)),
+                ("title", &export.title()),
+                ("converted", &(export.origin(sign, &self.nodes) + &units.conversion(0, sign))),
                 ("from", export.subject.file.plane()),
                 ("nodes", &self.nodes.len().to_string()),
                 ("pressure", &format!("{:.3e}", self.pressure_error)),

@@ -48,22 +48,27 @@ impl<M: Answering> BestContact<M> {
     ) -> Result<(&Candidate<M>, f64, Option<Finding>), ContactError> {
         let place = self.place(at);
         let outside = self.judged(&place.judged, at);
-        let (mut invalid, mut refused) = (None, None);
+        let (mut invalid, mut refused, mut failed) = (None, None, None);
         for (one, why) in self.candidates().iter().zip(outside) {
             match (one.value(of, at), why) {
                 (Ok(value), None) => return Ok((one, value, None)),
-                // No contact carries so much.
-                (Ok(_), Some(why)) if why.code == Code::BeyondFullContact => {
+                // No contact carries or has so much.
+                (Ok(_), Some(why))
+                    if why.code == Code::BeyondFullContact
+                        || why.code == Code::Crowded && why.value > 1.0 =>
+                {
                     refused.get_or_insert_with(|| self.refused(why.message()));
                 }
                 (Ok(value), Some(why)) => {
                     invalid.get_or_insert((one, value, Some(why.clone())));
                 }
-                (Err(error), _) => drop(refused.get_or_insert(error)),
+                (Err(error), _) => drop(failed.get_or_insert(error)),
             }
         }
         invalid.ok_or_else(|| {
-            refused.unwrap_or_else(|| self.refused("no model has a value on this scene".into()))
+            refused
+                .or(failed)
+                .unwrap_or_else(|| self.refused("no model has a value on this scene".into()))
         })
     }
 

@@ -167,31 +167,56 @@ impl<M: Answering> BestContact<M> {
         known.is_ok_and(|known| known.source == Source::Solved)
     }
 
-    /// What boundary elements are expected to give; under loads lighter than all solved ones,
-    /// ratios to the nearest valid model are kept.
+    /// What boundary elements are expected to give. Under loads lighter than all solved ones, and
+    /// without an interval above the heaviest at which a quantity is stated, its ratio to the nearest
+    /// model is kept.
     pub(super) fn expected_value(&self, of: Compared, pressure: f64) -> Option<Known> {
         let place = self.place(At::Pressure(pressure));
         let expected = place.expected.as_ref().ok()?;
-        let Estimate { mut value, mut low, mut high } = expected.estimate(of)?;
         if expected.extrapolated {
-            let (nearest, light) = self.nearest(of, expected)?;
-            let own = nearest.value(of, At::Pressure(pressure)).ok()?;
-            let kept = |x: f64| match of {
-                Compared::MeanGap => x + (own - light),
-                _ => x * (own / light),
-            };
-            // A contact carries the load at the hardness, and unloads at least as stiff.
-            let least = match of {
-                Compared::Area => self.least_area(pressure),
-                Compared::UnloadingStiffness => {
-                    let loading = self.expected_value(Compared::Stiffness, pressure);
-                    loading.map_or(0.0, |loading| loading.value)
-                }
-                _ => f64::NEG_INFINITY,
-            };
-            [value, low, high] = [value, low, high].map(|x| kept(x).max(least));
+            return self.kept_ratio(of, pressure, expected);
         }
-        Some(Known { value, ends: Some([low, high]), source: Source::Evidence, error: ROUNDED })
+        if let Some(Estimate { value, low, high }) = expected.estimate(of) {
+            let source = Source::Evidence;
+            return Some(Known { value, ends: Some([low, high]), source, error: ROUNDED });
+        }
+        let hardness = self.scene.asperity().ok()?.hardness?;
+        let heaviest = of.highest_pressure() * hardness * (1.0 - ROUNDED);
+        let place = (heaviest < pressure).then(|| self.place(At::Pressure(heaviest)))?;
+        let known = self.kept_ratio(of, pressure, place.expected.as_ref().ok()?)?;
+        Some(Known { ends: None, ..known })
+    }
+
+    /// What is expected at a pressure by what is expected at another, as the nearest model changes.
+    fn kept_ratio(&self, of: Compared, pressure: f64, at: &ExpectedContact) -> Option<Known> {
+        let Estimate { value, low, high } = at.estimate(of)?;
+        let there = At::Pressure(at.pressure);
+        let (model, light) = self.nearest(of, at).or_else(|| {
+            let (model, value, _) = self.first(of, there).ok()?;
+            Some((model, value))
+        })?;
+        let own = model.value(of, At::Pressure(pressure)).ok()?;
+        // Gaps change as the stiffness tells, whose ratio to the model is kept.
+        let softer = || {
+            let known = self.expected_value(Compared::Stiffness, at.pressure)?.value;
+            Some(model.value(Compared::Stiffness, there).ok()? / known)
+        };
+        let kept = |x: f64| match of {
+            Compared::MeanGap => x + (own - light) * softer().unwrap_or(1.0),
+            _ => x * (own / light),
+        };
+        // A contact carries the load at the hardness, and unloads at least as stiff.
+        let least = match of {
+            Compared::Area => self.least_area(pressure),
+            Compared::UnloadingStiffness => {
+                let loading = self.expected_value(Compared::Stiffness, pressure);
+                loading.map_or(0.0, |loading| loading.value)
+            }
+            _ => f64::NEG_INFINITY,
+        };
+        let [value, low, high] = [value, low, high].map(|x| kept(x).max(least));
+        let source = Source::Evidence;
+        Some(Known { value, ends: Some([low, high]), source, error: ROUNDED })
     }
 
     /// The least share of the nominal area that carries a pressure.
@@ -371,15 +396,19 @@ impl<M: Answering> ContactEngine for BestContact<M> {
                 add(note(Code::Extrapolated, "load").fact(fact));
             }
             for of in behind.clone() {
-                let Ok(Known { source: Source::Model(id, outside), .. }) = self.known(of, at)
-                else {
-                    continue;
-                };
                 let (field, reason) = self.why(of, at);
-                let fact = format!("{} by {id}, without an interval: {reason}", of.label());
-                add(note(Code::NoEvidence, field).fact(fact));
-                if let Some(outside) = outside {
-                    add(*outside);
+                match self.known(of, at) {
+                    Ok(Known { source: Source::Model(id, outside), .. }) => {
+                        let fact = format!("{} by {id}, without an interval: {reason}", of.label());
+                        add(note(Code::NoEvidence, field).fact(fact));
+                        outside.into_iter().for_each(|outside| add(*outside));
+                    }
+                    Ok(Known { source: Source::Evidence, ends: None, .. }) => {
+                        let kept = "its ratio to the nearest model is kept, without an interval";
+                        let fact = format!("{}: {reason}; {kept}", of.label());
+                        add(note(Code::Extrapolated, of.name()).fact(fact));
+                    }
+                    _ => {}
                 }
             }
         }

@@ -17,10 +17,9 @@ impl<M: Answering> BestContact<M> {
     fn gap_at(&self, pressure: f64) -> Option<f64> {
         let of = Compared::MeanGap;
         let expected = self.expected_of(&[of], pressure).ok()?;
-        match expected.extrapolated {
-            true => Some(self.expected_value(of, pressure)?.value),
-            false => Some(expected.estimate(of)?.value),
-        }
+        let estimate = expected.estimate(of).filter(|_| !expected.extrapolated);
+        let known = || Some(self.expected_value(of, pressure)?.value);
+        estimate.map(|one| one.value).or_else(known)
     }
 
     fn gaps(&self) -> &[[f64; 2]] {

@@ -198,6 +198,7 @@ fn families_left_out_lie_in_their_interval() {
     }
     let [mut rows, mut answered, mut inside] = [0.0; 3];
     let mut halves: Vec<f64> = vec![];
+    let mut gaps: Vec<f64> = vec![];
     for family in &families {
         let other = |(_, place): &(&EvidenceCase, &Coordinates)| !place.same_family(family);
         let cases = evidence.cases.iter().zip(&evidence.places).filter(other);
@@ -206,6 +207,12 @@ fn families_left_out_lie_in_their_interval() {
         for (case, place) in evidence.cases.iter().zip(&evidence.places) {
             if !place.same_family(family) {
                 continue;
+            }
+            let gap = others.interval(Compared::MeanGap, place);
+            if let Some([middle, low, high]) = gap.filter(|_| place.of_hardness() <= 0.6) {
+                let solved = case.bem.value(Compared::MeanGap).unwrap();
+                assert!((low..=high).contains(&solved), "{case:?}: {low} {high}");
+                gaps.push((middle - solved).powi(2));
             }
             // Each model with a value is a row: its ratio is inside where boundary elements are.
             for quantity in Compared::ALL.into_iter().filter(|q| *q != Compared::MeanGap) {
@@ -232,6 +239,10 @@ fn families_left_out_lie_in_their_interval() {
     assert!((0.85..=0.97).contains(&covered), "{covered}");
     assert!(share >= 0.6, "{share}");
     assert!(half <= 0.15, "{half}");
+    // Of the root mean square height.
+    let off = (gaps.iter().sum::<f64>() / gaps.len() as f64).sqrt();
+    println!("gaps of {} rows off by {off:.3} Sq", gaps.len());
+    assert!(gaps.len() > 200 && off < 0.04, "{off}");
 }
 
 /// Tangent and unloading stiffness are interpolated one by one, and cross where little yields.
@@ -261,4 +272,42 @@ fn the_unloading_stiffness_is_at_least_the_tangent() {
         }
     }
     assert!(compared > 40 && crossed > 0, "{compared} {crossed}");
+}
+
+/// The mean gap and the stiffness are interpolated one by one; the stiffness is also -dp/d(gap).
+#[test]
+fn gaps_fall_as_the_stiffness_tells() {
+    const STEP: f64 = 1.3;
+    let evidence = Evidence::committed().unwrap();
+    let mut ratios: Vec<(f64, [f64; 3])> = vec![];
+    for alpha in [3.2, 5.0, 8.0, 13.0, 17.0, 30.0, 60.0] {
+        for index in [0.0, 1.0, 3.0, 6.0, 10.0, 14.0] {
+            let scene = scene(alpha, index);
+            let loads = std::iter::successors(Some(1.1e-5), |load| Some(load * STEP));
+            let found = loads.take_while(|load| *load < 0.2).map_while(|load| {
+                let found = evidence.expected(&scene, None, load * unit(), None).ok()?;
+                let value = |of| found.estimate(of).map(|one| one.value);
+                Some((load, [value(Compared::MeanGap)?, value(Compared::Stiffness)?]))
+            });
+            let found: Vec<_> = found.collect();
+            for pair in found.windows(2) {
+                let [(p, [gap, k]), (more, [less, stiffer])] = pair else { unreachable!() };
+                assert!(less < gap, "alpha {alpha}, psi {index}, p/(E g) {p}: {gap} {less}");
+                let slope = (more - p) * unit() * scene.nominal_area / (gap - less);
+                ratios.push((slope / (k * stiffer).sqrt(), [alpha, index, *p]));
+            }
+        }
+    }
+    ratios.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let n = ratios.len();
+    let [low, high] = [0.05, 0.95].map(|share| ratios[(share * n as f64) as usize].0);
+    println!(
+        "slopes of {n} gaps over stiffnesses: {:?}, nine of ten {low:.2} to {high:.2}, {:?}",
+        ratios[0],
+        ratios[n - 1]
+    );
+    assert!(low > 0.85 && high < 1.2, "{low} {high}");
+    // Spectra of alpha 60 touch with few asperities on the solved surfaces under the lightest
+    // loads.
+    assert!(ratios[0].0 > 0.7 && ratios[n - 1].0 < 1.9, "{:?} {:?}", ratios[0], ratios[n - 1]);
 }

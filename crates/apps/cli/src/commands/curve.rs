@@ -4,17 +4,20 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 use asperity::bem::Bem;
-use asperity::{At, ContactModel, Quantity, Request, SeparationUnit, linspace};
+use asperity::{
+    At, ContactModel, Finding, Quantity, Request, SeparationUnit, linspace, shortest_digits,
+};
 use asperity_answer::{
     Beside, Cell, Inquiry, Sheet, best_and_nearest, models, one_model, patch, with_ranges,
 };
-use asperity_scene::{SceneFile, read_measurements};
+use asperity_scene::{SceneFile, column_of, read_measurements};
 use clap::Args;
 use clap::error::ErrorKind;
 
 use crate::commands::pull_off::pull_off;
 use crate::input::args::{DrawnArgs, ModelArgs, PressArgs, model_id, patch_file};
 use crate::input::usage_error;
+use crate::input::varied::Varied;
 use crate::interrupt::Terminal;
 use crate::output::plot::{POINTS, Plot};
 use crate::output::table::csv;
@@ -47,6 +50,10 @@ const PLACES: [&str; 5] = ["load_N", "pressure_Pa", "film_m", "lambda", "separat
 pub struct Curve {
     #[command(flatten)]
     asked: ModelArgs,
+    /// Repeat the rows for each value of a number of the scene, in a column of its own: KEY=A:B:N,
+    /// KEY=A:B:N:log or KEY=v,v, with or without units, for example hardness=1GPa:4GPa:4
+    #[arg(long, value_name = "KEY=A:B:N|v,v", conflicts_with_all = ["plan", "pull_off", "profile"])]
+    vary: Option<Varied>,
     /// Give every separation that carries the load, instead of the largest alone
     #[arg(long, requires = "given")]
     all: bool,
@@ -111,11 +118,49 @@ impl Curve {
             named => named.to_vec(),
         };
         let fill = |file: &_, sheet: &mut _| self.answer(file, (&ids, &request), sheet);
-        let (sheet, ()) = scene.answer(|sheet| with_ranges(&scene.file, sheet, fill))?;
+        let (sheet, ()) = scene.answer(|sheet| match &self.vary {
+            Some(varied) => self.each_value(&scene.file, varied, sheet, fill),
+            None => with_ranges(&scene.file, sheet, fill),
+        })?;
         if let Some(path) = &self.profile {
             self.write_profile(&scene, &request, path)?;
         }
         self.output.write(&sheet, || self.picture(&sheet, &request, scene.file.plane()))
+    }
+
+    /// The rows at each value of a number of the scene, which follows the model.
+    fn each_value(
+        &self,
+        file: &SceneFile,
+        Varied { name, values }: &Varied,
+        sheet: &mut Sheet,
+        fill: impl Fn(&SceneFile, &mut Sheet) -> Result<()> + Sync,
+    ) -> Result<()> {
+        let input = file.inputs([name.as_str()])?[0];
+        for value in values {
+            let place = || format!("{name} = {}", shortest_digits(*value));
+            let varied = file.with_inputs([(input, *value)]).with_context(place)?;
+            let mut part = Sheet::default();
+            with_ranges(&varied, &mut part, &fill).with_context(place)?;
+            part.heads.insert(1, column_of(name));
+            part.rows.iter_mut().for_each(|row| row.insert(1, (*value).into()));
+            ensure!(
+                sheet.rows.is_empty() || sheet.heads == part.heads,
+                "{}: its rows have other columns than those before, as a range begins or ends",
+                place()
+            );
+            sheet.heads = part.heads;
+            sheet.rows.extend(part.rows);
+            sheet.results.extend(part.results);
+            // One of each code and field: the first value's stands for all.
+            for found in part.findings {
+                let is_known = |one: &Finding| one.code == found.code && one.field == found.field;
+                if !sheet.findings.iter().any(is_known) {
+                    sheet.findings.push(found);
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The patch of one model at one load.
@@ -175,7 +220,16 @@ impl Curve {
             }
         }
         let columns: Vec<&str> = drawn.iter().map(String::as_str).collect();
-        Plot::new(&["model"], x, &columns).from(from).svg(&sheet)
+        let varied = self.vary.as_ref().map(|varied| column_of(&varied.name));
+        match &varied {
+            Some(varied) if request.at.len() == 1 => {
+                Plot::new(&["model"], varied, &columns).from(from).svg(&sheet)
+            }
+            varied => {
+                let curves = ["model"].into_iter().chain(varied.as_deref()).collect::<Vec<_>>();
+                Plot::new(&curves, x, &columns).from(from).svg(&sheet)
+            }
+        }
     }
 
     fn answer(

@@ -20,10 +20,13 @@ pub struct Length<T> {
 pub type Distances = Length<Vec<f64>>;
 
 impl<T> Length<T> {
-    fn read(text: &str, read: fn(&str, ReadNumber) -> Result<T, String>) -> Result<Self, String> {
-        let (number, unit): (ReadNumber, _) = match have_units(text, metre)? {
-            true => (metre, SeparationUnit::Metres),
-            false => (number, SeparationUnit::Sigma),
+    fn read(
+        text: &str,
+        read: fn(&str, ReadNumber<'_>) -> Result<T, String>,
+    ) -> Result<Self, String> {
+        let (number, unit): (ReadNumber<'_>, _) = match have_units(text, &metre)? {
+            true => (&metre, SeparationUnit::Metres),
+            false => (&number, SeparationUnit::Sigma),
         };
         Ok(Self { value: read(text, number)?, unit })
     }

@@ -27,13 +27,13 @@ impl FromStr for Numbers {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        Self::read(text, number)
+        Self::read(text, &number)
     }
 }
 
 impl Numbers {
     /// Numbers, each as `number` reads it.
-    pub fn read(text: &str, number: ReadNumber) -> Result<Self, String> {
+    pub fn read(text: &str, number: ReadNumber<'_>) -> Result<Self, String> {
         have_units(text, number)?;
         if !text.contains(':') {
             return text.split(',').map(number).collect::<Result<_, _>>().map(Self);
@@ -52,7 +52,7 @@ impl Numbers {
 }
 
 impl Span {
-    fn read(text: &str, number: ReadNumber) -> Result<Self, String> {
+    fn read(text: &str, number: ReadNumber<'_>) -> Result<Self, String> {
         let parts: Vec<&str> = text.split(':').collect();
         let [first, last, ref others @ ..] = parts[..] else {
             return Err("write A:B or A:B:N".into());
@@ -80,7 +80,7 @@ impl Span {
     }
 
     /// A range A:B, or A:B:N in equal steps, of which the ends may be 0.
-    pub fn even(text: &str, number: ReadNumber) -> Result<Self, String> {
+    pub fn even(text: &str, number: ReadNumber<'_>) -> Result<Self, String> {
         have_units(text, number)?;
         match Self::read(text, number)? {
             Self { log: true, .. } => Err("log is not allowed here; write A:B or A:B:N".into()),
@@ -91,7 +91,7 @@ impl Span {
 
 /// Whether the values of a list, or the ends of a range, have units: all of them or none, because
 /// the 1 of `1:20kN:5` is ambiguous. 0 needs none, but in `0,5um`, which may be a decimal comma.
-pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
+pub fn have_units(text: &str, number: ReadNumber<'_>) -> Result<bool, String> {
     let parts: Vec<&str> = match text.contains(':') {
         true => text.split(':').take(2).collect(),
         false => text.split(',').collect(),
@@ -118,7 +118,7 @@ pub fn have_units(text: &str, number: ReadNumber) -> Result<bool, String> {
 
 /// One size, or two along a row and along a column: `1um`, `1x5`, `0.5um x 0.4um`.
 pub fn sizes<T: Copy>(text: &str, one: fn(&str) -> Result<T, String>) -> Result<[T; 2], String> {
-    have_units(&text.replace('x', ","), length)?;
+    have_units(&text.replace('x', ","), &length)?;
     let sizes: Vec<T> = text.split('x').map(|part| one(part.trim())).collect::<Result<_, _>>()?;
     match sizes[..] {
         [both] => Ok([both; 2]),
@@ -128,16 +128,20 @@ pub fn sizes<T: Copy>(text: &str, one: fn(&str) -> Result<T, String>) -> Result<
 }
 
 /// A reader of a number.
-pub type ReadNumber = fn(&str) -> Result<f64, String>;
+pub type ReadNumber<'a> = &'a dyn Fn(&str) -> Result<f64, String>;
 
 /// Reads a list or range of numbers, each as `one` reads it.
-pub fn all(one: ReadNumber) -> impl Fn(&str) -> Result<Numbers, String> + Clone {
-    move |text| Numbers::read(text, one)
+pub fn all(
+    one: fn(&str) -> Result<f64, String>,
+) -> impl Fn(&str) -> Result<Numbers, String> + Clone {
+    move |text| Numbers::read(text, &one)
 }
 
 /// Reads a range A:B, A:B:N or A:B:N:log, whose ends `one` reads.
-pub fn range(one: ReadNumber) -> impl Fn(&str) -> Result<Span, String> + Clone {
-    move |text| have_units(text, one).and_then(|_| Span::read(text, one))
+pub fn range(
+    one: fn(&str) -> Result<f64, String>,
+) -> impl Fn(&str) -> Result<Span, String> + Clone {
+    move |text| have_units(text, &one).and_then(|_| Span::read(text, &one))
 }
 
 #[cfg(test)]
@@ -176,7 +180,7 @@ mod tests {
         assert_eq!(numbers("1:1e6:4:log").unwrap(), [1.0, 100.0, 1e4, 1e6]);
         assert_eq!(all(load)("10 N:2kN:3").unwrap().0, [10.0, 1005.0, 2000.0]);
         assert_eq!(all(pressure)("5 MPa,1e5Pa").unwrap().0, [5e6, 1e5]);
-        let span = Span::even("0:4", number).unwrap();
+        let span = Span::even("0:4", &number).unwrap();
         assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
         assert_eq!(range(load)("10N:2kN").unwrap().last.to_bits(), 2000f64.to_bits());
         for (mixed, part) in [
@@ -193,7 +197,7 @@ mod tests {
             assert!(refused.unwrap_err().contains("has no unit"));
         }
         assert!(range(pressure)("0:1MPa").is_err() && range(load)("1:2kN:3:log").is_err());
-        assert_eq!(Span::even("-1:4:9", number).unwrap().count, Some(9));
+        assert_eq!(Span::even("-1:4:9", &number).unwrap().count, Some(9));
     }
 
     #[test]
@@ -227,7 +231,7 @@ mod tests {
         }
         assert_eq!(all(load_or_tension)("-10mN,2N").unwrap().0, [-0.01, 2.0]);
         assert!(all(load_or_tension)("-1,0").is_err() && all(load)("1 mm").is_err());
-        assert!(Span::even("1:3:4:log", number).is_err());
+        assert!(Span::even("1:3:4:log", &number).is_err());
         assert!(range(load)("1:3:4:log").is_ok_and(|span| span.log));
     }
 }

@@ -6,6 +6,7 @@ pub mod distances;
 pub mod lists;
 pub mod numbers;
 pub mod target;
+pub mod varied;
 
 use std::sync::OnceLock;
 

@@ -46,9 +46,12 @@ fn every_way_to_an_answer_gives_the_same_digits() {
                 let [answered, drawn] = [&answer, &curve].map(|text| cells(text, column));
                 assert_eq!(answered, drawn[..2], "{name} {column}");
                 for (pressure, cell) in [1e5, 3e6].into_iter().zip(&answered) {
-                    let known = best.known(of, At::Pressure(pressure)).unwrap();
-                    let ends = known.ends.map(|ends| ends[k.saturating_sub(1)]);
-                    let wanted = if k == 0 { Some(known.value) } else { ends };
+                    // None where no contact carries so much.
+                    let known = best.known(of, At::Pressure(pressure)).ok();
+                    let wanted = known.and_then(|known| match k {
+                        0 => Some(known.value),
+                        end => Some(known.ends?[end - 1]),
+                    });
                     let wanted = wanted.map(|x| asperity::shortest_digits(x * unit));
                     assert_eq!(*cell, wanted.unwrap_or_default(), "{name} {column}");
                 }
