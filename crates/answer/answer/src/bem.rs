@@ -5,9 +5,10 @@ use std::ops::ControlFlow;
 use asperity::bem::{
     Bem, BemError, BoundaryElements, Continuation, Direction, Leak, LoadCase, Progress, Solution,
 };
-use asperity::{Code, ContactError, ContactModel, Finding, Findings, Quantity, Request};
+use asperity::{Code, ContactError, ContactModel, Finding, Findings, Quantity, Request, unusual};
 use asperity_scene::SceneFile;
 
+use crate::leak::Leaking;
 use crate::models::once;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
@@ -96,14 +97,23 @@ impl<'a> Press<'a> {
     pub fn heads(&self) -> Vec<String> {
         let quantities = self.quantities().into_iter().map(Quantity::column);
         let flows = self.leak.iter().flat_map(|_| FLOWS.map(|(.., head)| head.into()));
-        COLUMNS.iter().map(|(head, _)| (*head).into()).chain(quantities).chain(flows).collect()
+        let all = COLUMNS.iter().map(|(head, _)| (*head).into()).chain(quantities).chain(flows);
+        all.chain(self.leaking().iter().flat_map(Leaking::heads)).collect()
+    }
+
+    /// The seal whose leak is asked for, if the scene has one.
+    fn leaking(&self) -> Option<Leaking> {
+        Leaking::of(self.file, self.quantities).ok().flatten()
     }
 
     /// The quantities asked for, each once, without those that every solution has.
     fn quantities(&self) -> Vec<Quantity> {
         let mut all = self.quantities.to_vec();
         all.extend(self.leak.iter().flat_map(|_| FLOWS.map(|(gap, ..)| gap)));
-        all.retain(|quantity| COLUMNS.iter().all(|(head, _)| *head != quantity.column()));
+        all.retain(|quantity| {
+            let is_own = |(head, _): &(&str, Number)| *head == quantity.column();
+            *quantity != Quantity::Leak && !COLUMNS.iter().any(is_own)
+        });
         once(&all)
     }
 
@@ -116,6 +126,7 @@ impl<'a> Press<'a> {
         mut deliver: impl FnMut(usize, Result<Pressed, BemError>),
     ) {
         let (quantities, scene) = (self.quantities(), &self.file.scene);
+        let leaking = self.leaking();
         let pressed = |solution: Solution| {
             let numbers = COLUMNS.iter().map(|(_, number)| number(&solution, scene.nominal_area));
             let summary = elements.summary(&solution, &quantities);
@@ -129,10 +140,12 @@ impl<'a> Press<'a> {
                 Some(leak.flow(*gap.as_ref().ok()?, self.bem.map(), direction))
             };
             let flows = self.leak.map(|leak| FLOWS.map(|one| Cell::from(flow(leak, one))));
-            let cells = numbers.chain(values).chain(flows.into_iter().flatten());
+            let leaked = leaking.as_ref().map(|seal| seal.leak(elements, &solution));
+            let (leaks, findings) = leaked.unwrap_or_default();
+            let cells = numbers.chain(values).chain(flows.into_iter().flatten()).chain(leaks);
             let cells = cells.collect();
-            let notes = solution.notes.iter().cloned().chain(summary.finding()).collect();
-            Pressed { cells, notes, solution }
+            let notes = solution.notes.iter().cloned().chain(summary.finding()).chain(findings);
+            Pressed { cells, notes: notes.collect(), solution }
         };
         elements.solve_each(self.given, progress, |index, solution| {
             deliver(index, solution.map(pressed));
@@ -151,8 +164,10 @@ impl<'a> Press<'a> {
         watch: &dyn Watch,
     ) -> Result<Vec<Solution>, AnswerError> {
         sheet.heads = self.heads();
-        sheet.findings.extend(self.leak.iter().flat_map(Leak::findings));
+        let numbers = self.leak.iter().flat_map(Leak::numbers);
+        sheet.findings.extend(numbers.filter_map(|(name, value)| unusual(name, value)));
         // Refuses what boundary elements or the scene lack before anything is solved.
+        Leaking::of(self.file, self.quantities)?;
         let compiled = self.bem.compile(&self.file.scene, &Request::new(self.quantities()));
         compiled.map_err(|error| AnswerError::from(error).of_model(self.name))?;
         // Before the hours of the whole grid.
@@ -243,6 +258,9 @@ impl<'a> Press<'a> {
         if below > 0 {
             sheet.result(format!("mean_gap is below 0 in {} by the imprint of pixels at the hardness; mean_open_gap is the mean gap of the pixels out of contact", of_all(below)));
         }
+        let solved: Vec<&Vec<Cell>> = answers.iter().flatten().collect();
+        let texts = self.leaking().into_iter().flat_map(|seal| seal.results(&solved));
+        texts.for_each(|text| sheet.result(text));
         errors.append(&mut lacks);
         once(&errors).iter().for_each(|text| sheet.warn(Code::NoValue, text));
         let grid = format!("{rows} x {columns} pixels");

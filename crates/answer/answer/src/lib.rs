@@ -9,6 +9,7 @@ mod error;
 mod export;
 mod history;
 mod inquiry;
+mod leak;
 mod models;
 mod number;
 mod patch;

@@ -9,9 +9,10 @@ use asperity::{
 use asperity_topography::Statistics;
 
 use crate::evidence::KURTOSIS;
-use crate::keys::{INTERFACE, OF_PAIR};
+use crate::keys::{Field, INTERFACE, OF_PAIR, SEAL};
 use crate::measured::Measured;
 use crate::scene_file::SceneFile;
+use crate::seal::Seal;
 use crate::unknown::Unknown;
 
 /// The range of the skewness of nearly Gaussian heights.
@@ -64,7 +65,13 @@ impl SceneFile {
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let of_pair = self.missing_hardness().into_iter().chain(self.equally_hard());
-        let found = found.into_iter().chain(self.of_bodies()).chain(of_pair);
+        let of_seal = self.spec.seal.iter().flat_map(|seal| {
+            // A pressure of 0 is a vacuum.
+            let value = |field: &Field<Seal>| (field.get)(seal).filter(|value| *value > 0.0);
+            let found = SEAL.iter().filter_map(|field| unusual(field.name, value(field)?));
+            found.map(|found| found.within("seal")).collect::<Vec<_>>()
+        });
+        let found = found.into_iter().chain(self.of_bodies()).chain(of_pair).chain(of_seal);
         let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
         let found = self.accepted(found).into_iter();
         let found = found.filter(|found| !self.warnings.contains(found));

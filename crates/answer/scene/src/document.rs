@@ -232,7 +232,8 @@ impl<'a> Document<'a> {
     /// Refuses unknown keys everywhere but in the options.
     pub(crate) fn check_sections(&self) -> Result<(), SceneError> {
         let is_word = self.value(COUNTERFACE).is_some_and(Value::is_str);
-        let sections = ["", "surface", COUNTERFACE, "interface", "curvature", "gap"].into_iter();
+        let sections =
+            ["", "surface", COUNTERFACE, "interface", "curvature", "gap", "seal"].into_iter();
         for section in sections.filter(|section| !is_word || *section != COUNTERFACE) {
             self.check_keys(section, &keys_of(section))?;
         }

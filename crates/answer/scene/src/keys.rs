@@ -6,6 +6,7 @@ use asperity::{Body, Interface, Surface, UNITS, Units};
 
 use crate::curvature::Curvature;
 use crate::gap::Gas;
+use crate::seal::Seal;
 
 /// A key of a scene file.
 #[derive(Debug, Clone, Copy)]
@@ -50,6 +51,8 @@ pub enum Subject {
     Curvature,
     /// What fills the gap between the surfaces.
     Gap,
+    /// The seal whose faces the scan stands for.
+    Seal,
     /// Variants of the models.
     Options,
 }
@@ -119,6 +122,7 @@ keys! {
         surface("" "the rough surface, in exactly one of the ways below")
         curvature("" "")
         gap("" "")
+        seal("" "")
         options("" "")
     }
     "body" Body numbers BODY in Body {
@@ -242,6 +246,19 @@ keys! {
         gas_conductivity("W/(m K)" ", of the gas in the gap; air has 0.026")
         gas_parameter("m" ", temperature-jump distance: about 0.37 um for air at 1 bar, 0 for a liquid")
     } {}
+    "seal" Seal numbers SEAL in Seal {
+        width("m" ", across the flow; of a ring along it")
+        length("m" ", along the flow")
+        perimeter("m" ", of a ring, instead of length")
+        upstream_pressure("Pa" ", absolute")
+        downstream_pressure("Pa" ", absolute; 0 is a vacuum")
+        viscosity("Pa s" ", of a liquid, or instead of that of the gas")
+        density("kg/m^3" ", of a liquid, for its mass flow")
+        molar_mass("kg/mol" ", of a gas that is not in the list, with its viscosity")
+        temperature("K" ", of the gas; 293.15 if missing")
+    } {
+        gas("" "air, nitrogen, hydrogen, helium, argon or methane")
+    }
     "options" Options {
         angle_density("" "of gao and at; or \"upright\"")
         displacement("" "\"none\", { zeta = 0.1, xi = 0.1 }")

@@ -35,6 +35,7 @@ mod roughness;
 mod scan;
 mod scans;
 mod scene_file;
+mod seal;
 mod small_scan;
 mod spec;
 mod surface;
@@ -71,6 +72,7 @@ pub use ranges::Points;
 pub use read::{load, load_scan, parse, parse_handed};
 pub use roughness::{Roughness, Way};
 pub use scene_file::SceneFile;
+pub use seal::{Seal, SealGas};
 pub use spec::{Bodies, Description, HeightsSpec, SceneSpec, SurfaceSpec, interface_of};
 pub use template::{template, template_on};
 /// Keys of a section with their values.

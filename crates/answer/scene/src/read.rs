@@ -14,12 +14,13 @@ use crate::height_map::height_map;
 use crate::heights::{compare_std, heights};
 use crate::input::SceneInput;
 use crate::interface::bodies;
-use crate::keys::{COUNTERFACE, CURVATURE, joined, keys_of};
+use crate::keys::{COUNTERFACE, CURVATURE, SEAL, joined, keys_of};
 use crate::measured::Scan;
 use crate::options::ModelOptions;
 use crate::resolve::resolve;
 use crate::scans::{Asked, Scans, density};
 use crate::scene_file::SceneFile;
+use crate::seal::Seal;
 use crate::spec::{HeightsSpec, SceneSpec};
 use crate::surface::{Surfaces, notes, refused, surfaces};
 use crate::text_file::read_text;
@@ -115,6 +116,16 @@ fn curvature(document: &Document<'_>) -> Result<Option<Curvature>, SceneError> {
     }
 }
 
+/// The section `[seal]`.
+fn seal(document: &Document<'_>) -> Result<Option<Seal>, SceneError> {
+    if !document.has("seal") {
+        return Ok(None);
+    }
+    let mut found = Seal { gas: document.get("seal.gas")?, ..Seal::default() };
+    document.read_numbers("seal", SEAL, &mut found)?;
+    Ok(Some(found))
+}
+
 /// What a document says of its scene.
 fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scans>), SceneError> {
     document.check_sections()?;
@@ -143,6 +154,7 @@ fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scan
         }),
         false => None,
     };
+    let seal = seal(document)?;
     let mut spec = SceneSpec {
         counterface: second,
         is_smooth,
@@ -151,6 +163,7 @@ fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scan
         separation_from,
         curvature,
         gas,
+        seal,
         options,
         accept,
         ..SceneSpec::new(bodies, first, nominal_area)

@@ -9,7 +9,7 @@ use asperity_topography::Statistics;
 
 use crate::finish::Drawing;
 use crate::gap::Gas;
-use crate::keys::COUNTERFACE;
+use crate::keys::{COUNTERFACE, SEAL};
 use crate::measured::Measured;
 use crate::spec::{Bodies, SceneSpec, SurfaceSpec};
 
@@ -123,6 +123,12 @@ pub(crate) fn resolve(spec: &SceneSpec) -> Result<(Scene, Option<Arc<Measured>>)
         let checked = positive("gas_conductivity", gas_conductivity);
         let checked = checked.and_then(|gas| gap_conductance(gas, 1.0, gas_parameter));
         checked.map_err(at("gap"))?;
+    }
+    if let Some(seal) = &spec.seal {
+        for field in SEAL.iter().filter(|field| field.name != "downstream_pressure") {
+            positive(field.name, (field.get)(seal).unwrap_or(1.0)).map_err(at("seal"))?;
+        }
+        seal.resolved().map_err(at("seal"))?;
     }
     let of_surface = at("surface");
     let one = One::new(&spec.surface, &interface).map_err(&of_surface)?;

@@ -15,6 +15,7 @@ use crate::measured::{Measured, Scan};
 use crate::origin::Provenance;
 use crate::resolve::resolve;
 use crate::roughness::Roughness;
+use crate::seal::Seal;
 use crate::spec::{Bodies, Description, HeightsSpec, SceneSpec};
 use crate::unknown::Unknown;
 
@@ -169,6 +170,15 @@ impl SceneFile {
     pub fn needed_gas(&self) -> Result<Gas, ContactError> {
         let (field, reason) = ("gas_conductivity", "set it and gas_parameter in [gap]".into());
         self.spec.gas.ok_or(ContactError::Missing { field, reason })
+    }
+
+    /// The seal.
+    ///
+    /// # Errors
+    /// [`ContactError::Missing`] without one.
+    pub fn needed_seal(&self) -> Result<Seal, ContactError> {
+        let reason = "write [seal] with width, length, upstream_pressure, downstream_pressure, and gas or viscosity".into();
+        self.spec.seal.ok_or(ContactError::Missing { field: "seal", reason })
     }
 
     /// Refuses a scene of curved bodies, for what flat bodies alone have.

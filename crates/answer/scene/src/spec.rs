@@ -16,6 +16,7 @@ use crate::materials::Material;
 use crate::measured::{Measured, Scan};
 use crate::options::ModelOptions;
 use crate::roughness::{Roughness, Way};
+use crate::seal::Seal;
 
 /// What was written about a scene. `SceneFile::of_spec` makes a scene of it.
 #[derive(Debug, Clone)]
@@ -42,6 +43,8 @@ pub struct SceneSpec {
     pub curvature: Option<Curvature>,
     /// The gas in the gap, if there is one.
     pub gas: Option<Gas>,
+    /// The seal whose faces the scan stands for.
+    pub seal: Option<Seal>,
     /// The variants of the models.
     pub options: ModelOptions,
     /// Codes of accepted warnings and notes, which are not shown.
@@ -248,6 +251,7 @@ impl SceneSpec {
             separation_from: Datum::AsperityMean,
             curvature: None,
             gas: None,
+            seal: None,
             options: ModelOptions::default(),
             accept: vec![],
         }

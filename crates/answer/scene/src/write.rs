@@ -56,6 +56,7 @@ impl SceneFile {
         let accept: Vec<&str> = spec.accept.iter().map(|code| code.name()).collect();
         top.extend((!accept.is_empty()).then(|| ("accept".into(), accept.into())));
         top.extend(spec.gas.map(|gas| ("gap".into(), written(gas))));
+        top.extend(spec.seal.map(|seal| ("seal".into(), written(seal))));
         top.extend(Some(match spec.curvature {
             None => ("nominal_area".into(), spec.nominal_area.into()),
             Some(bodies) => ("curvature".into(), written(bodies)),
@@ -66,7 +67,7 @@ impl SceneFile {
             table.map(|table| table.insert(input.key.into(), ends.to_vec().into()));
         }
         let mut sections = String::new();
-        for name in ["body", "interface", "surface", "curvature", "gap", "options"] {
+        for name in ["body", "interface", "surface", "curvature", "gap", "seal", "options"] {
             let header = if name == "body" { "[[body]]" } else { &format!("[{name}]") };
             let all = match top.remove(name) {
                 Some(Value::Array(bodies)) => bodies,

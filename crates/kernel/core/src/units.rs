@@ -5,13 +5,16 @@ pub type Units = (&'static str, &'static str, &'static [(&'static str, i32)]);
 
 /// The SI unit as in the template, an example, and the units with their powers of ten. In units,
 /// spaces, raised dots, * and ^ are ignored; µ is u, ² is 2, and Ω is ohm.
-pub const UNITS: [Units; 16] = [
+pub const UNITS: [Units; 19] = [
     (
         "Pa",
         "5 MPa",
         &[("GPa", 9), ("MPa", 6), ("kPa", 3), ("Pa", 0), ("bar", 5), ("N/mm2", 6), ("N/m2", 0)],
     ),
     ("Pa s", "1 mPa s", &[("Pas", 0), ("mPas", -3), ("uPas", -6), ("cP", -3)]),
+    ("kg/m^3", "1000 kg/m3", &[("kg/m3", 0), ("g/cm3", 3), ("kg/l", 3)]),
+    ("kg/mol", "4 g/mol", &[("kg/mol", 0), ("g/mol", -3)]),
+    ("K", "293 K", &[("K", 0)]),
     ("m", "0.2 mm", &[("m", 0), ("cm", -2), ("mm", -3), ("um", -6), ("nm", -9), ("pm", -12)]),
     ("m^2", "100 mm2", &[("m2", 0), ("cm2", -4), ("mm2", -6), ("um2", -12), ("nm2", -18)]),
     ("N", "2 kN", &[("N", 0), ("kN", 3), ("MN", 6), ("mN", -3), ("uN", -6)]),
@@ -118,7 +121,8 @@ pub const OTHER_UNITS: [(&str, &str, f64, &str); 23] = [
 pub fn plain_unit(unit: &str) -> String {
     let left_out = |c: char| c.is_whitespace() || "^*\u{b7}".contains(c);
     let text: String = unit.chars().filter(|c| !left_out(*c)).collect();
-    let text = text.replace(['\u{b5}', '\u{3bc}'], "u").replace('\u{b2}', "2");
+    let text = text.replace(['\u{b5}', '\u{3bc}'], "u");
+    let text = text.replace('\u{b2}', "2").replace('\u{b3}', "3");
     text.replace('\u{207b}', "-").replace(['\u{3a9}', '\u{2126}'], "ohm")
 }
 

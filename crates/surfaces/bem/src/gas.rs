@@ -7,17 +7,8 @@
 
 use std::f64::consts::PI;
 
+use crate::BemError;
 use crate::height_map::positive;
-use crate::network::Direction;
-use crate::{BemError, BoundaryElements, Solution};
-
-/// Nodes and weights of the Gauss-Legendre rule with four points on 0 to 1.
-const GAUSS: [[f64; 2]; 4] = [
-    [0.069_431_844_202_973_71, 0.173_927_422_568_726_93],
-    [0.330_009_478_207_571_87, 0.326_072_577_431_273_07],
-    [0.669_990_521_792_428_1, 0.326_072_577_431_273_07],
-    [0.930_568_155_797_026_3, 0.173_927_422_568_726_93],
-];
 
 /// How a gas meets the walls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -36,6 +27,7 @@ impl Rarefaction {
     /// Q(D): the mass flow per width over h² (-dp/dx)/v.
     #[must_use]
     pub fn flow(self, d: f64) -> f64 {
+        let least = d.max(Gas::LEAST);
         match self {
             Self::Continuum => d / 6.0,
             Self::Slip => d / 6.0 + 0.5 * PI.sqrt(),
@@ -43,7 +35,9 @@ impl Rarefaction {
             Self::Transition if d >= 0.15 => {
                 0.138_52 * d + 1.250_87 + 0.156_53 / d - 0.009_69 / (d * d)
             }
-            Self::Transition => -2.229_19 * d + 2.106_73 + 0.016_53 / d - 0.000_069_4 / (d * d),
+            Self::Transition => {
+                -2.229_19 * least + 2.106_73 + 0.016_53 / least - 0.000_069_4 / (least * least)
+            }
         }
     }
 }
@@ -74,63 +68,29 @@ impl Gas {
         Ok(Self { viscosity: positive("viscosity", viscosity)?, speed, rarefaction })
     }
 
-    /// Mass flow \[kg/s\] between two absolute pressures \[Pa\] through a seal whose width is
-    /// `width_over_length` times its length, from its conductance at a pressure.
-    fn between(
-        [from, to]: [f64; 2],
-        width_over_length: f64,
-        conductance: impl Fn(f64) -> Result<f64, BemError>,
-    ) -> Result<f64, BemError> {
-        let [from, to] = [positive("pressure", from)?, positive("pressure", to)?];
-        let mut flow = 0.0;
-        for [node, weight] in GAUSS {
-            flow += weight * conductance(to + node * (from - to))?;
-        }
-        Ok(width_over_length * flow * (from - to))
-    }
-
     /// Conductance h² Q(D)/v of an even gap \[m\] at a pressure \[Pa\]: mass flow per width over
     /// the gradient of the pressure \[s\].
     #[must_use]
     pub fn conductance(&self, gap: f64, pressure: f64) -> f64 {
-        let d = pressure * gap / (self.viscosity * self.speed);
+        let d = self.inverse_knudsen(gap, pressure);
         if d > 0.0 { gap * gap / self.speed * self.rarefaction.flow(d) } else { 0.0 }
     }
 
-    /// Mass flow \[kg/s\] through an even gap \[m\].
-    ///
-    /// # Errors
-    /// [`BemError::OutOfRange`] for pressures that are not positive.
-    pub fn flow(
-        &self,
-        gap: f64,
-        pressures: [f64; 2],
-        width_over_length: f64,
-    ) -> Result<f64, BemError> {
-        Self::between(pressures, width_over_length, |p| Ok(self.conductance(gap, p)))
+    /// D = p h/(μ v), the gap \[m\] over the free path up to a factor; free molecules below
+    /// [`LEAST`](Self::LEAST).
+    #[must_use]
+    pub fn inverse_knudsen(&self, gap: f64, pressure: f64) -> f64 {
+        pressure * gap / (self.viscosity * self.speed)
     }
-}
 
-impl BoundaryElements {
-    /// Mass flow \[kg/s\] of a gas through the gap of `solution` between two absolute pressures
-    /// \[Pa\], through a seal whose width is `width_over_length` times its length and that
-    /// continues this map; 0 where no path of open pixels leads from face to face.
-    ///
-    /// # Errors
-    /// [`BemError::OutOfRange`] for pressures that are not positive; the errors of
-    /// [`hydraulic_gap`](Self::hydraulic_gap).
-    pub fn gas_flow(
-        &self,
-        solution: &Solution,
-        gas: &Gas,
-        pressures: [f64; 2],
-        direction: Direction,
-        width_over_length: f64,
-    ) -> Result<f64, BemError> {
-        Gas::between(pressures, width_over_length, |pressure| {
-            let of = |gap: f64| gas.conductance(gap, pressure);
-            let map = self.gap_map_by(solution, |gap, largest| of(gap) / of(largest))?;
-            Ok(of(map.largest) * map.conductance(direction)?)
-        })
+    /// R T \[J/kg\]: the pressure over the density.
+    #[must_use]
+    pub fn pressure_over_density(&self) -> f64 {
+        0.5 * self.speed * self.speed
     }
+
+    /// The least D of the fit. Below, Q grows as ln(1/D) until molecules fly along the whole gap,
+    /// which no local law knows: it stays what it is here, as in a gap some 100 times as long as
+    /// high.
+    pub const LEAST: f64 = 0.01;
 }

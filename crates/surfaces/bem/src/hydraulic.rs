@@ -7,7 +7,6 @@
 //! A flow per width q = h³ Δp/(12 μ L) defines the hydraulic gap h. Beside it, the effective medium
 //! of Bruggeman depends on the distribution of the gap alone: the mean of (g³ - K)/(g³ + K) is 0.
 
-use asperity_core::{Code, Finding};
 use asperity_quadrature::bracketed_root;
 
 use crate::height_map::positive;
@@ -17,11 +16,6 @@ use crate::{BemError, Boundary, BoundaryElements, HeightMap, Solution};
 
 /// Largest difference of the flows through both faces, relative to them.
 const BALANCE: f64 = 1e-6;
-
-/// Usual viscosities \[Pa s\], from hydrogen to thick oils and greases.
-const USUAL: [f64; 2] = [5e-6, 10.0];
-/// Usual falls of the pressure \[Pa\], from a head of 1 cm of water to the strongest pumps.
-const USUAL_DROP: [f64; 2] = [100.0, 1e9];
 
 /// A fluid and the fall of its pressure from one side of a scan to the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,18 +34,10 @@ impl Leak {
         Ok(Self { viscosity, pressure_drop: positive("pressure drop", pressure_drop)? })
     }
 
-    /// Warnings of a viscosity that no usual fluid has, most often one in mm²/s, and of a fall of
-    /// the pressure that is most often one in bar.
-    pub fn findings(&self) -> impl Iterator<Item = Finding> + use<> {
-        let viscosity = Finding::warning(Code::LikelyUnit, "viscosity", self.viscosity)
-            .unit("Pa s")
-            .usual(USUAL)
-            .advice("oil of 46 mm2/s (ISO VG 46) has about 0.04 Pa s, water 0.001 and air 2e-5");
-        let drop = Finding::warning(Code::LikelyUnit, "pressure_drop", self.pressure_drop)
-            .unit("Pa")
-            .usual(USUAL_DROP)
-            .advice("1 bar is 1e5 Pa and 1 MPa 1e6 Pa; write the unit with the number");
-        [viscosity, drop].into_iter().filter(|found| found.excess() > 1.0)
+    /// Its numbers by their names.
+    #[must_use]
+    pub fn numbers(&self) -> [(&'static str, f64); 2] {
+        [("viscosity", self.viscosity), ("pressure_drop", self.pressure_drop)]
     }
 
     /// The flow \[m³/s\] through a hydraulic gap \[m\] with the outline of a map: h³ Δp/(12 μ)
@@ -115,10 +101,17 @@ impl BoundaryElements {
         solution: &Solution,
         share: impl Fn(f64, f64) -> f64,
     ) -> Result<GapMap<'_>, BemError> {
+        Ok(self.gap_map_of(self.open_gaps(solution)?, share))
+    }
+
+    /// The gap of every pixel \[m\], 0 in contact.
+    pub(crate) fn open_gaps<'s>(
+        &self,
+        solution: &'s Solution,
+    ) -> Result<impl Iterator<Item = f64> + use<'s>, BemError> {
         self.pixels_of(solution)?;
         let gaps = solution.gaps.iter().zip(&solution.pressures);
-        let open = gaps.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { *gap });
-        Ok(self.gap_map_of(open, share))
+        Ok(gaps.map(|(gap, pressure)| if *pressure > 0.0 { 0.0 } else { gap.max(0.0) }))
     }
 
     /// The gap map of surfaces that do not touch, apart by this mean gap \[m\].

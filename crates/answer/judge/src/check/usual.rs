@@ -14,7 +14,7 @@ const RARE: [&str; 4] = ["bar", "cm", "kPa", "pm"];
 type Usual = (&'static [&'static str], [f64; 2], f64, &'static str);
 
 /// From elastomers to diamond; asperities from atomic corrugation to the stones of asphalt.
-const USUAL: [Usual; 18] = [
+const USUAL: [Usual; 23] = [
     (&["youngs_modulus", "equivalent_modulus"], [1e6, 2e12], 1e11, "Pa"),
     (&["equivalent_shear_modulus"], [3e5, 1e12], 3e10, "Pa"),
     (&["hardness"], [1e5, 1.5e11], 3e9, "Pa"),
@@ -43,6 +43,13 @@ const USUAL: [Usual; 18] = [
     (&["m0"], [1e-21, 4e-6], 1e-12, "m2"),
     (&["m4"], [100.0, 1e17], 5e4, "1/m2"),
     (&["sdq", "mean_slope", "rms_gradient", "height_std_over_radius"], [0.0, 1.0], 0.1, ""),
+    // Of seals, from instruments to long flanges.
+    (&["width", "length", "perimeter"], [1e-5, 100.0], 0.01, "m"),
+    (&["upstream_pressure", "pressure_drop"], [100.0, 1e9], 1e6, "Pa"),
+    // From hydrogen to thick oils and greases.
+    (&["viscosity"], [5e-6, 10.0], 0.01, "Pa s"),
+    (&["density"], [50.0, 2.5e4], 1e3, "kg/m^3"),
+    (&["molar_mass"], [1e-3, 0.5], 0.03, "kg/mol"),
     (&["roughness_parameter"], Surface::USUAL_ASPERITY_ROUGHNESS, 0.04, ""),
 ];
 
@@ -85,8 +92,9 @@ pub(super) fn outside(key: &'static str, value: f64, usual: [f64; 2]) -> Option<
 /// the size of 1 HRC depends on the number, and slopes have per cent.
 fn units(key: &str, si: &str, value: f64) -> Vec<(&'static str, f64)> {
     let listed = UNITS.iter().filter(|(known, ..)| plain_unit(known) == plain_unit(si));
-    // Inputs in these units are rare.
-    let units = listed.flat_map(|(.., units)| *units).filter(|(unit, _)| !RARE.contains(unit));
+    // Inputs in these units are rare, but for pressures of fluids.
+    let usual = |unit: &str| si == "Pa" && key.contains("pressure") || !RARE.contains(&unit);
+    let units = listed.flat_map(|(.., units)| *units).filter(|(unit, _)| usual(unit));
     let mut units: Vec<_> = units.map(|(unit, power)| (*unit, 10f64.powi(*power))).collect();
     match key {
         "hardness" => {

@@ -81,6 +81,9 @@ def bem(
         their approach is that of distant points. Also "hydraulic-gap-x" and "hydraulic-gap-y" [m],
         the even gaps that let as much fluid pass along rows and along columns, 0 where no path is
         left, and "effective-medium-gap", their estimate from the distribution of the gap alone.
+        "leak", for a scene with [seal]: the flow of a liquid or gas through it along both, as
+        ``leak_x_kg_per_s`` and in other units, 0 with a result where no path is left, and
+        ``tightest_gap_x_m``, the tightest gap on the widest path.
     viscosity, pressure_drop : float
         Of a fluid [Pa s], and the fall of its pressure from one side of the scan to the other [Pa]:
         adds the hydraulic gaps and the flows ``flow_x_m3_per_s`` and ``flow_y_m3_per_s`` through

@@ -50,9 +50,11 @@ impl AtPoint<'_> {
             Derivation::Logarithm(of) => self.logarithm(quantity, of, integrals),
             Derivation::RegimeShare(regime) => self.share(quantity, regime, integrals),
             // Refused where laws are made.
-            Derivation::Flow | Derivation::Gap | Derivation::Map | Derivation::Bodies => {
-                Err(ContactError::NotRequested { quantity })
-            }
+            Derivation::Flow
+            | Derivation::Gap
+            | Derivation::Map
+            | Derivation::Seal
+            | Derivation::Bodies => Err(ContactError::NotRequested { quantity }),
         }
     }
 

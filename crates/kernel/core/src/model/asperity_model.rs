@@ -1,6 +1,7 @@
 //! What to write for a model of one asperity: its laws.
 
 use crate::law::contact_radii;
+use crate::request::quantity::LEAK;
 use crate::request::quantity_table::Derivation;
 use crate::{Asperity, ContactError, Described, Law, Quantity, Tolerance};
 
@@ -78,6 +79,7 @@ pub(crate) fn law(
             let what = "which follows from a map of the gap; use boundary elements";
             unsupported(format!("{quantity}, {what}"))
         }
+        (_, Derivation::Seal) => unsupported(LEAK.into()),
         (_, Derivation::Bodies) => unsupported(format!(
             "{quantity} of flat surfaces; [curvature] in the scene describes curved bodies"
         )),

@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::engine::parallel;
 use crate::error::require;
+use crate::request::quantity::LEAK;
 use crate::response::row_check::RowCheck;
 use crate::response::{Answered, Response, fill};
 use crate::{
@@ -202,6 +203,9 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
         }
         if known(quantity) {
             return Ok(());
+        }
+        if quantity == Quantity::Leak {
+            return Err(self.unsupported(LEAK));
         }
         let known = Quantity::ALL.into_iter().filter(|quantity| known(*quantity));
         let known: Vec<String> = known.map(|quantity| format!("{quantity}")).collect();

@@ -6,6 +6,10 @@ use std::str::FromStr;
 use crate::request::quantity_table::{Derivation, InterfaceProperty};
 use crate::{ContactError, Evaluation, Quantity, nearest_name};
 
+/// Why a contact has no leak.
+pub(crate) const LEAK: &str =
+    "leak, which follows from [seal] and a scan; `asperity bem --quantity leak` gives it";
+
 impl Quantity {
     /// What tells whether an answer is plausible.
     pub const JUDGED: [Self; 3] = [Self::Force, Self::Area, Self::Contacts];
@@ -64,6 +68,7 @@ impl Quantity {
             | Derivation::Flow
             | Derivation::Gap
             | Derivation::Map
+            | Derivation::Seal
             | Derivation::Bodies => self,
             Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
             Derivation::Ratio(above, _) => above.origin(),
@@ -129,7 +134,7 @@ impl Quantity {
     /// or a film alone.
     #[must_use]
     pub fn is_of_models(self) -> bool {
-        !self.is_of_film() && !self.is_of_map() && !self.is_of_bodies()
+        !self.is_of_film() && !self.is_of_map() && !self.is_of_bodies() && self != Self::Leak
     }
 
     /// The number of the interface that this quantity needs, for a stiffness or a conductance, and

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::Regime;
 use Derivation::{
     Bodies, ContactRadii, Flow, Gap, Integral, IntegralOrSlope, Logarithm, Map, PerNominalArea,
-    Ratio, RegimeShare, Slope,
+    Ratio, RegimeShare, Seal, Slope,
 };
 use Quantity::{Area, ElectricalConductance, Force, ThermalConductance};
 
@@ -38,6 +38,8 @@ pub(crate) enum Derivation {
     Gap,
     /// Of a map of the gap, and of no law of asperities.
     Map,
+    /// Of a map of the gap and a seal.
+    Seal,
     /// Of curved bodies.
     Bodies,
 }
@@ -208,6 +210,9 @@ quantities! {
         "hydraulic gap of the effective medium" (Map)
         "Estimate of the hydraulic gap from the distribution of the gap alone (Bruggeman), 0 \
         where half of the area or more is closed.";
+    Leak "leak" "m" "kg/s" "leak" (Seal)
+        "Mass flow through the seal of the scene, whose faces the scan stands for; of a liquid \
+        without a density the volume flow.";
     Approach "approach" "delta" "m" "approach of the bodies" (Bodies)
         "How far curved bodies have approached from where they would first touch, the rough one \
         at the mean of its asperity heights.";
