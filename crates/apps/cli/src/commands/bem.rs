@@ -45,8 +45,9 @@ pub struct BemCommand {
     /// chord between pressures up to 5 % to either side, by two more solutions), quantities of
     /// joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
     /// electrical-conductance, each also with -per-area at its end), flows through the gap
-    /// (hydraulic-gap-x, hydraulic-gap-y, effective-medium-gap), the leak of a liquid or gas through
-    /// [seal] of the scene (leak), or any other that follows from load and area; with --compare tangent, unloading-stiffness or both
+    /// (hydraulic-gap-x, hydraulic-gap-y, effective-medium-gap), the leak of a liquid or gas
+    /// through [seal] of the scene (leak), or any other that follows from load and area; with
+    /// --compare tangent, unloading-stiffness or both
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Add the flow in m3/s along x and y of a fluid of this viscosity in Pa s, or with a unit, for

@@ -16,11 +16,22 @@ unit = \"um\"
 pixel_size = 0.5
 ";
 
-/// A folder with that scene, and that scan.
+/// A seal of that scan.
+const SEAL: &str = "
+[seal]
+width = \"100 mm\"
+length = \"2 mm\"
+upstream_pressure = \"10 bar\"
+downstream_pressure = \"1 bar\"
+gas = \"helium\"
+";
+
+/// A folder with that scene, that scan, and the scene of a seal.
 pub fn bench() -> Bench {
     let bench = Bench::new();
     bench.write("scan.toml", SCAN);
     bench.write("scan.txt", &crate::surface::scan(0.0));
+    bench.write("seal.toml", &format!("{SCAN}{SEAL}"));
     bench
 }
 

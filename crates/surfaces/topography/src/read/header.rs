@@ -181,8 +181,8 @@ impl Header {
         self.find(["unit"]).map(unit).transpose()
     }
 
-    /// The factor of the heights, which leads to their unit, with a note of it; `unit` tells whether
-    /// that is known.
+    /// The factor of the heights, which leads to their unit, with a note of it; `unit` tells
+    /// whether that is known.
     pub(super) fn factor(&self, unit: bool) -> Result<Option<(f64, Finding)>, TopographyError> {
         let note = |factor: f64, Entry { line, text, .. }: &Entry| {
             let fact = format!(
