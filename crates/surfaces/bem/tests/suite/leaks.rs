@@ -351,7 +351,10 @@ fn gas_leaks_as_in_closed_forms_and_as_free_molecules_do() {
     for (d, step) in [(5.0, 2e-3), (0.15, 6e-3), (Gas::LEAST, 1e-9)] {
         assert!((q(d * (1.0 - 1e-9)) / q(d) - 1.0).abs() < step, "{d}");
     }
-    assert!(q(1e-6) == q(Gas::LEAST) && (q(Gas::LEAST) / 3.0436 - 1.0).abs() < 1e-4);
+    assert!(
+        (q(1e-6) - q(Gas::LEAST)).abs() < f64::EPSILON
+            && (q(Gas::LEAST) / 3.0436 - 1.0).abs() < 1e-4
+    );
     for pressures in [[1e5, 1e5], [1e5, 2e5]] {
         let (elements, solution) = contact(&[1e-6; 4], 2, [1e-6; 2], Boundary::Free);
         let seal = Seal { pressures, ..helium(KINDS[1]) };
