@@ -173,7 +173,7 @@ mod tests {
 
     #[test]
     fn a_radius_may_be_known_within_a_range() {
-        let file = with("radius_x = [0.009, \"11 mm\"]\nradius_y = 0.01").unwrap();
+        let file = with("radius_x = [\"9 mm\", \"11 mm\"]\nradius_y = 0.01").unwrap();
         for (share, radius_x) in [(0.0, 0.009), (1.0, 0.011)] {
             let end = file.at(&[share]).unwrap().shape();
             assert_eq!(end, Some(Shape::Point { radius_x, radius_y: 0.01 }));

@@ -116,10 +116,33 @@ impl<'a> Document<'a> {
                     self.read_value(item.get_ref(), &item_path)
                 };
                 let items = items.iter().zip(1..).map(item).collect::<Result<Vec<_>, _>>()?;
+                self.check_units_of_ends(path, &items)?;
                 self.range(path, &items).unwrap_or(Value::Array(items))
             }
             DeValue::Table(inner) => Value::Table(self.read_table(inner, path)?),
         })
+    }
+
+    /// Refuses a range of which one end has a unit and the other, which is not 0, has none.
+    fn check_units_of_ends(&self, path: &str, items: &[Value]) -> Result<(), SceneError> {
+        let (section, name) = section_and_name(path);
+        let is_listed = |key: &Key| matches!(key.subject, Subject::Scan | Subject::Options);
+        let [Value::Float(_) | Value::Integer(_), Value::Float(_) | Value::Integer(_)] = items
+        else {
+            return Ok(());
+        };
+        if Key::find(section, name).is_none_or(|key| key.units().is_none() || is_listed(key)) {
+            return Ok(());
+        }
+        let ends = [1, 2].map(|k| format!("{path}[{k}]"));
+        let stated = ends.each_ref().map(|end| self.origin.is_stated(end));
+        let bare = usize::from(stated[0]);
+        let found = items[bare].to_string();
+        if stated[0] == stated[1] || found.parse() == Ok(0.0) {
+            return Ok(());
+        }
+        let hint = "has no unit, and the other end has one: give both ends a unit".into();
+        Err(SceneError::Notation { at: self.place(&ends[bare]), found, hint })
     }
 
     /// The middle of the range of a number that is written as two values; keeps the ends.

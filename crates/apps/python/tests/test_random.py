@@ -19,8 +19,10 @@ def test_an_answer_is_that_of_the_model_best_and_lies_between_its_ends() -> None
     for path in sorted(EXAMPLES.glob("*.toml")):
         scene = asperity.Scene.from_toml(path)
         asked = ["area", "tangent", "unloading-stiffness"]
-        answer = scene.answer(asked, pressure=[1e5, 3e6])
-        curve = asperity.model("best").solve(scene, pressure=[1e5, 3e6], quantities=asked)
+        # No contact carries 3 MPa on the elastomer.
+        pressures = [1e5, 1e6 if scene.softer_hardness is None else 3e6]
+        answer = scene.answer(asked, pressure=pressures)
+        curve = asperity.model("best").solve(scene, pressure=pressures, quantities=asked)
         for quantity in asked:
             assert answer.value[quantity].tolist() == curve[quantity].tolist(), path
             known = ~np.isnan(answer.lower[quantity])

@@ -288,7 +288,7 @@ fn any_number_may_be_a_range() {
     let (pair, one) = (format!("{INTERFACE}{both}"), format!("{INTERFACE}{MOMENTS}"));
     let (of_bodies, in_gas) = (format!("{bodies}{MOMENTS}"), format!("{one}{gap}"));
     for (scene, edit, name, [low, high]) in [
-        (&one, "hardness = 2e9>hardness = [\"1.8 GPa\", 2.2e9]", "hardness", [1.8e9, 2.2e9]),
+        (&one, "hardness = 2e9>hardness = [\"1.8 GPa\", \"2.2 GPa\"]", "hardness", [1.8e9, 2.2e9]),
         (&of_bodies, "2e9>[\"120 HV\", \"240 HV\"]", "body1_hardness", [1.2691e9, 2.5382e9]),
         (&of_bodies, "ity = 40>ity = [35, 45]", "body2_thermal_conductivity", [35.0, 45.0]),
         (&of_bodies, "= 1e-4>= [\"1 cm2\", \"2 cm2\"]", "nominal_area", [1e-4, 2e-4]),
