@@ -10,7 +10,7 @@ use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SurfaceSpec};
 
 impl SceneFile {
-    /// The bodies and the surfaces, softer or harder as they were written: `steel-4140-tempered on
+    /// The bodies and the surfaces in the order in which they were written: `steel-4140-tempered on
     /// aluminium-6082-t6, ground, ra 0.8 um`.
     #[must_use]
     pub fn in_words(&self) -> String {
