@@ -31,7 +31,7 @@ pub struct MeasuredKeys {
     pub fill_missing: bool,
     /// Whether outliers are replaced.
     pub despike: bool,
-    /// What a file may not say itself.
+    /// What the scan file may leave out.
     #[serde(flatten)]
     pub options: ReadOptions,
 }

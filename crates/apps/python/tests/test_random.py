@@ -20,7 +20,7 @@ def test_an_answer_is_that_of_the_model_best_and_lies_between_its_ends() -> None
         scene = asperity.Scene.from_toml(path)
         asked = ["area", "tangent", "unloading-stiffness"]
         # No contact carries 3 MPa on the elastomer.
-        pressures = [1e4, 1e5 if "elastomer" in path.name else 3e6]
+        pressures = [1e4, 1e5] if "elastomer" in path.name else [1e5, 3e6]
         answer = scene.answer(asked, pressure=pressures)
         curve = asperity.model("best").solve(scene, pressure=pressures, quantities=asked)
         for quantity in asked:

@@ -136,7 +136,7 @@ fn readings(name: &str) -> Vec<(&str, String)> {
 }
 
 /// The column that a name is with another unit, and the size of that unit: `load_N` and 1000 for
-/// `load_kN`, `F [kN]` and `F/kN`; none for a stiffness of which the kind is not said.
+/// `load_kN`, `F [kN]` and `F/kN`; none for a stiffness of unstated kind.
 pub(crate) fn with_unit(name: &str) -> Option<(String, f64)> {
     let known = known_columns();
     let (column, factor) = named(name, &known)?;

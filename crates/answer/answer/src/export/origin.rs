@@ -1,6 +1,6 @@
 //! Where a table is from, in its comments.
 
-use asperity::{At, Best, ContactEngine, Described, Model, Quantity, Severity};
+use asperity::{At, Best, ContactEngine, Described, Model, Quantity};
 
 use super::{ContactNode, Export};
 use crate::number::rounded;
@@ -27,12 +27,10 @@ impl Export<'_> {
                 lines.push(format!("file {}, md5 {:x}", path.display(), md5::compute(bytes)));
             }
         }
-        let found = file.warnings.iter().cloned().chain(file.findings());
-        let warned = found.filter(|one| one.severity < Severity::Note);
-        let mut codes: Vec<&str> = warned.map(|one| one.code.name()).collect();
-        codes.dedup();
+        let found = crate::scene_findings(file, self.subject.model.validity().asperities);
+        let codes: Vec<&str> = found.iter().map(|one| one.code.name()).collect();
         if !codes.is_empty() {
-            lines.push(format!("warnings of the scene: {}", codes.join(", ")));
+            lines.push(format!("warnings of the scene: {}", crate::once(&codes).join(", ")));
         }
         let offset = rounded(file.scene.mean_plane_offset());
         lines.push(format!(

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use super::candidates::{Candidate, Place, SharedPlace};
 use super::counted::Counted;
 use super::model::{Answering, Best, SolvedContact};
-use crate::evidence::{Compared, Estimate, Evidence, ExpectedContact};
+use crate::evidence::{Compared, Evidence, ExpectedContact};
 use asperity_core::{
     At, Code, Contact, ContactEngine, ContactError, ContactModel, Datum, Evaluation, Finding,
     Interval, Quantity, Request, Scene, Separation, SeparationUnit, Tolerance, short,
@@ -14,7 +14,7 @@ use asperity_core::{
 
 /// Bound on the relative rounding of an expected value: the covariance of the solved cases has a
 /// condition number of some 1e7.
-const ROUNDED: f64 = 1e-9;
+pub(super) const ROUNDED: f64 = 1e-9;
 /// Relative error of a pressure that is found.
 pub(super) const FOUND: f64 = 1e-12;
 /// ln p and mean gap \[m\], by ascending pressure.
@@ -47,7 +47,7 @@ pub struct Known {
     /// Where it is from.
     pub source: Source,
     /// A bound on its relative numerical error.
-    error: f64,
+    pub(super) error: f64,
 }
 
 /// Where a number is from.
@@ -165,64 +165,6 @@ impl<M: Answering> BestContact<M> {
     pub fn is_solved(&self, at: At) -> bool {
         let known = self.known(Compared::Area, at);
         known.is_ok_and(|known| known.source == Source::Solved)
-    }
-
-    /// What boundary elements are expected to give. Under loads lighter than all solved ones, and
-    /// without an interval above the heaviest at which a quantity is stated, its ratio to the
-    /// nearest model is kept.
-    pub(super) fn expected_value(&self, of: Compared, pressure: f64) -> Option<Known> {
-        let place = self.place(At::Pressure(pressure));
-        let expected = place.expected.as_ref().ok()?;
-        if expected.extrapolated {
-            return self.kept_ratio(of, pressure, expected);
-        }
-        if let Some(Estimate { value, low, high }) = expected.estimate(of) {
-            let source = Source::Evidence;
-            return Some(Known { value, ends: Some([low, high]), source, error: ROUNDED });
-        }
-        let hardness = self.scene.asperity().ok()?.hardness?;
-        let heaviest = of.highest_pressure() * hardness * (1.0 - ROUNDED);
-        let place = (heaviest < pressure).then(|| self.place(At::Pressure(heaviest)))?;
-        let known = self.kept_ratio(of, pressure, place.expected.as_ref().ok()?)?;
-        Some(Known { ends: None, ..known })
-    }
-
-    /// What is expected at a pressure by what is expected at another, as the nearest model changes.
-    fn kept_ratio(&self, of: Compared, pressure: f64, at: &ExpectedContact) -> Option<Known> {
-        let Estimate { value, low, high } = at.estimate(of)?;
-        let there = At::Pressure(at.pressure);
-        let (model, light) = self.nearest(of, at).or_else(|| {
-            let (model, value, _) = self.first(of, there).ok()?;
-            Some((model, value))
-        })?;
-        let own = model.value(of, At::Pressure(pressure)).ok()?;
-        // Gaps change as the stiffness tells, whose ratio to the model is kept.
-        let softer = || {
-            let known = self.expected_value(Compared::Stiffness, at.pressure)?.value;
-            Some(model.value(Compared::Stiffness, there).ok()? / known)
-        };
-        let kept = |x: f64| match of {
-            Compared::MeanGap => x + (own - light) * softer().unwrap_or(1.0),
-            _ => x * (own / light),
-        };
-        // A contact carries the load at the hardness, and unloads at least as stiff.
-        let least = match of {
-            Compared::Area => self.least_area(pressure),
-            Compared::UnloadingStiffness => {
-                let loading = self.expected_value(Compared::Stiffness, pressure);
-                loading.map_or(0.0, |loading| loading.value)
-            }
-            _ => f64::NEG_INFINITY,
-        };
-        let [value, low, high] = [value, low, high].map(|x| kept(x).max(least));
-        let source = Source::Evidence;
-        Some(Known { value, ends: Some([low, high]), source, error: ROUNDED })
-    }
-
-    /// The least share of the nominal area that carries a pressure.
-    fn least_area(&self, pressure: f64) -> f64 {
-        let hardness = self.scene.asperity().ok().and_then(|asperity| asperity.hardness);
-        hardness.map_or(0.0, |hardness| pressure / hardness)
     }
 
     /// A compared number from the best source: boundary elements on this scan, on solved surfaces,

@@ -5,6 +5,7 @@ mod candidates;
 mod choice;
 mod contact;
 mod counted;
+mod expected;
 mod load;
 mod model;
 

@@ -169,3 +169,23 @@ fn scale(quantity: Compared, place: &Coordinates) -> f64 {
         _ => place.load,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_usual_gap_is_near_all_that_were_solved() {
+        let evidence = Evidence::committed().unwrap();
+        let solved = evidence.places.iter().zip(&evidence.cases);
+        let plain =
+            |place: &Coordinates| place.shape.skewness == 0.0 && place.shape.slope_ratio <= 1.0;
+        let fitted = solved.filter(|(place, _)| plain(place) && place.of_hardness() <= 0.75);
+        let off = fitted.map(|(place, case)| {
+            (usual_gap(place) - case.bem.value(Compared::MeanGap).unwrap()).abs()
+        });
+        let off: Vec<f64> = off.collect();
+        let most = off.iter().copied().fold(0.0, f64::max);
+        assert!(off.len() > 200 && most < 0.27, "{} {most}", off.len());
+    }
+}
