@@ -10,6 +10,10 @@ use crate::sheet::warning;
 /// The least gap \[m\] for which laws of flow are known.
 const NANOMETRE: f64 = 1e-9;
 
+/// Why there is no gap on a path.
+const CLOSED: &str =
+    "contacts, and gaps smaller than a molecule, close every way through this scan";
+
 /// The seal of a scene whose leak is asked for.
 #[derive(Debug)]
 pub(crate) struct Leaking {
@@ -57,7 +61,12 @@ impl Leaking {
         for (along, SealFlow { flow, tightest_gap }) in Direction::ALL.into_iter().zip(flows) {
             let sizes = self.keys.units(&self.seal).into_iter();
             cells.extend(sizes.map(|(_, size)| Cell::from(size * flow)));
-            cells.push(tightest_gap.into());
+            let closed = || {
+                Cell::Blank(Some(
+                    ContactError::Missing { field: "open path", reason: CLOSED.into() }.into(),
+                ))
+            };
+            cells.push(tightest_gap.map_or_else(closed, Cell::from));
             findings.extend(tightest_gap.and_then(|gap| self.finding(along, gap, solution)));
         }
         (cells, findings)

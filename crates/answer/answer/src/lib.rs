@@ -27,7 +27,7 @@ mod watch;
 
 pub use answer::{Answer, Basis, basis, lines, solve, title};
 pub use asked::{Asked, Line};
-pub use bem::{FLOWS, Press, Pressed, half_grid};
+pub use bem::{Press, Pressed, half_grid};
 pub use blanks::Blanks;
 pub use check::check_sheet;
 pub use error::AnswerError;

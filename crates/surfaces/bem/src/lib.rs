@@ -109,7 +109,6 @@ pub use error::BemError;
 pub use gas::{Gas, Rarefaction};
 pub use half_space::Boundary;
 pub use height_map::HeightMap;
-pub use hydraulic::Leak;
 pub use light::LightContact;
 pub use model::Bem;
 pub use network::Direction;

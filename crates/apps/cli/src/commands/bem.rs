@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Error, Result};
 use asperity::Quantity;
-use asperity::bem::{Bem, Leak, LoadCase, Solution};
+use asperity::bem::{Bem, LoadCase, Solution};
 use asperity_answer::{AnswerError, Press, Sheet, compared, rounded, truth};
 use asperity_plot::{draw_map, map_png};
 use clap::error::ErrorKind;
@@ -12,7 +12,7 @@ use clap::{ArgAction, Args};
 
 use crate::input::args::{EndArgs, OutputArgs, PressArgs, file_ending, listed_model_id};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{length, load, pressure, viscosity};
+use crate::input::numbers::{length, load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::{self, terminal};
 use crate::output::{self, contact_map, show};
@@ -33,7 +33,7 @@ pub struct BemCommand {
     places: Places,
     /// Compare models with boundary elements: area, mean gap and, unless --quantity names others,
     /// the stiffness of first loading, with deviations
-    #[arg(long, conflicts_with_all = ["gaps", "map", "picture", "viscosity", "flow_picture"])]
+    #[arg(long, conflicts_with_all = ["gaps", "map", "picture", "flow_picture"])]
     compare: bool,
     /// Models to compare [default: all that the scene allows, with random asperities and Persson]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
@@ -50,13 +50,6 @@ pub struct BemCommand {
     /// --compare tangent, unloading-stiffness or both
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
-    /// Add the flow in m3/s along x and y of a fluid of this viscosity in Pa s, or with a unit, for
-    /// example "1 mPa s"
-    #[arg(long, value_name = "VALUE", value_parser = viscosity, requires = "pressure_drop")]
-    viscosity: Option<f64>,
-    /// Fall of the fluid's pressure from one side of the scan to the other, in Pa
-    #[arg(long, value_name = "VALUE", value_parser = pressure, requires = "viscosity")]
-    pressure_drop: Option<f64>,
     /// Add the results on every second pixel, to show their dependence on the grid
     #[arg(long)]
     refine: bool,
@@ -128,7 +121,6 @@ impl BemCommand {
         let (file, name) = (&scene.file, &*scene.name);
         let press = Press {
             name,
-            leak: self.leak()?,
             refine: self.refine,
             keep: [&self.map, &self.picture, &self.flow_picture].into_iter().any(Option::is_some),
             ..Press::new(file, &bem, &given, &self.quantities)
@@ -167,12 +159,6 @@ impl BemCommand {
             interrupt::end(sheet.rows.len(), given.len());
         }
         Ok(())
-    }
-
-    /// The fluid whose flow is asked for.
-    fn leak(&self) -> Result<Option<Leak>> {
-        let given = self.viscosity.zip(self.pressure_drop);
-        Ok(given.map(|(viscosity, drop)| Leak::new(viscosity, drop)).transpose()?)
     }
 
     /// Draws the maps of a solved contact.

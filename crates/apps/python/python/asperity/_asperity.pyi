@@ -404,7 +404,6 @@ def bem(
     given: tuple[str, Sequence[_Float]],
     keep: bool,
     quantities: str | Iterable[str] | None,
-    leak: tuple[_Float, _Float] | None,
 ) -> tuple[_Table, list[_Floats] | None, list[int]]: ...
 def bem_unloading(
     pressed: _Pressed,

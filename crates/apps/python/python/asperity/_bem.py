@@ -45,8 +45,6 @@ def bem(
     elastic: bool = False,
     boundary: Boundary | None = None,
     quantities: Sequence[str] = (),
-    viscosity: float | str | None = None,
-    pressure_drop: float | str | None = None,
     maps: bool = True,
 ) -> BemContacts:
     """Contacts of a scan with an elastic half-space, solved by boundary elements pixel by pixel.
@@ -84,10 +82,6 @@ def bem(
         "leak", for a scene with [seal]: the flow of a liquid or gas through it along both, as
         ``leak_x_kg_per_s`` and in other units, 0 with a result where no path is left, and
         ``tightest_gap_x_m``, the tightest gap on the widest path.
-    viscosity, pressure_drop : float
-        Of a fluid [Pa s], and the fall of its pressure from one side of the scan to the other [Pa]:
-        adds the hydraulic gaps and the flows ``flow_x_m3_per_s`` and ``flow_y_m3_per_s`` through
-        the outline of the scan; both or neither.
     maps : bool
         Whether the maps of pressures and gaps are kept: 16 bytes per pixel and contact.
 
@@ -103,12 +97,8 @@ def bem(
     """
     name, given = place(pressure=pressure, load=load, gap=gap)
     values = floats(given, name).ravel().tolist()
-    if (viscosity is None) != (pressure_drop is None):
-        raise TypeError("viscosity and pressure_drop: both or neither was required")
-    fluid = in_si(viscosity, "Pa s"), in_si(pressure_drop, "Pa")
-    leak = None if viscosity is None else fluid
     scan = surface, interface, level, (boundary, elastic)
-    found, kept, pixels = _asperity.bem(scan, (name, values), maps, quantities or None, leak)
+    found, kept, pixels = _asperity.bem(scan, (name, values), maps, quantities or None)
     contacts = BemContacts(*found)
     pressures, gaps = (None, None) if kept is None else (map.reshape(-1, *pixels) for map in kept)
     vars(contacts).update(pressures=pressures, gaps=gaps)
