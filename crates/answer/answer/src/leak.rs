@@ -14,6 +14,13 @@ const NANOMETRE: f64 = 1e-9;
 const CLOSED: &str =
     "contacts, and gaps smaller than a molecule, close every way through this scan";
 
+/// A warning of a path through gaps in which no law of flow is known.
+pub(crate) fn tight(field: String, gap: f64) -> Option<Finding> {
+    let advice = "gaps below 1 nm, in which no law of flow is known, carry the leak: take it as an order of magnitude";
+    let tight = Finding::warning(Code::Atomic, field, gap).unit("m").advice(advice);
+    (gap < NANOMETRE).then(|| tight.usual([NANOMETRE, f64::INFINITY]))
+}
+
 /// The seal of a scene whose leak is asked for.
 #[derive(Debug)]
 pub(crate) struct Leaking {
@@ -76,10 +83,8 @@ impl Leaking {
     fn finding(&self, along: Direction, gap: f64, solution: &Solution) -> Option<Finding> {
         let field = format!("tightest_gap_{along}");
         let at = At::Pressure(solution.mean_pressure);
-        if gap < NANOMETRE {
-            let tight = Finding::warning(Code::Atomic, field, gap).unit("m").at(at);
-            let advice = "gaps below 1 nm, in which no law of flow is known, carry the leak: take it as an order of magnitude";
-            return Some(tight.usual([NANOMETRE, f64::INFINITY]).advice(advice));
+        if let Some(tight) = tight(field.clone(), gap) {
+            return Some(tight.at(at));
         }
         let Fluid::Gas(gas) = &self.seal.fluid else { return None };
         let inverse = gas.inverse_knudsen(gap, 0.5 * self.seal.pressures.iter().sum::<f64>());

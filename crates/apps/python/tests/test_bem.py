@@ -301,6 +301,24 @@ def test_a_scan_leaks_through_the_seal_of_its_scene(tmp_path: Path, scene: asper
         asperity.bem(scene, quantities=["leak"], **given)
 
 
+def test_sealing_pressures_are_those_of_samples(scene: asperity.Scene) -> None:
+    found = asperity.sealing_pressure(scene, samples=3, elastic=True)
+    low, middle, high = (found[f"{which}_sealing_pressure_Pa"] for which in ("lowest", "middle", "highest"))
+    assert list(found["flow_along"]) == ["x", "y"] and (low <= middle).all() and (middle <= high).all()
+    given: dict[str, Any] = {"elastic": True, "maps": False, "quantities": ["hydraulic-gap-x"]}
+    gaps = asperity.bem(scene, pressure=[0.98 * low[0], 1.02 * high[0]], **given)["hydraulic_gap_x_m"]
+    assert gaps[0] > 0
+    # Ridges: full contact along them, at pi E a/lambda; across them no path is ever open.
+    ridges = 1e-7 * np.cos(2 * np.pi * np.arange(64) / 64) * np.ones((4, 1))
+    scan = asperity.Topography(ridges, dx=1e-6, unit="m", periodic=True)
+    found = asperity.sealing_pressure(scan, interface=STEEL, samples=2, elastic=True)
+    assert found["middle_sealing_pressure_Pa"][1] == pytest.approx(np.pi * 116e9 / 640, rel=0.02)
+    assert np.isnan(found["highest_sealing_pressure_Pa"][0])
+    assert any("along x no path is open in 2 of 2" in text for text in found.results)
+    with pytest.raises(ValueError, match="samples is 1"):
+        asperity.sealing_pressure(scene, samples=1)
+
+
 def test_what_was_solved_is_an_input_of_the_answer(scene: asperity.Scene) -> None:
     solved = asperity.bem(scene, pressure=2e8, quantities=["tangent"], maps=False)
     asked = {"pressure": 2e8, "quantities": ["area-fraction", "tangent"]}

@@ -414,6 +414,7 @@ def bem_unloading(
 def bem_slip(
     pressed: _Pressed, given: tuple[str, _Float], friction: _Float, cycle: tuple[_Float, int]
 ) -> tuple[_Table, _Floats, list[int]]: ...
+def sealing_pressure(pressed: _Pressed, samples: int) -> _Table: ...
 def truth(
     scene: Scene,
     pressures: Sequence[_Float],

@@ -105,6 +105,44 @@ def bem(
     return contacts
 
 
+def sealing_pressure(
+    surface: Topography | Scene,
+    *,
+    samples: int = 8,
+    interface: Interface | None = None,
+    level: str | None = None,
+    elastic: bool = False,
+    boundary: Boundary | None = None,
+) -> Table:
+    """Mean pressures at which contacts close the last open path through a scan.
+
+    A row for flow along x and one along y: ``lowest_``, ``middle_`` and ``highest_`` of
+    ``sealing_pressure_Pa``, within 1 %, and of ``area_fraction``, and the ``tightest_gap_m`` on the
+    last paths. NaN where no path is open under the lightest contacts, with a result that says so.
+    Gaps smaller than the molecule of [seal] of a scene, 0.3 nm without one, count as closed.
+
+    Parameters
+    ----------
+    samples : int
+        2 to 1000: the scan, and surfaces with its spectrum and nearly its distribution of heights,
+        but other phases. One scan is one of many, whose pressures scatter by some ten per cent.
+    surface, interface, level, elastic, boundary
+        As in ``bem``; the boundary is not "free".
+
+    Examples
+    --------
+    >>> import asperity
+    >>> scan = asperity.random_surface((64, 64), 1e-6, long=32e-6, short=8e-6, sq=1e-7, seed=1)
+    >>> found = asperity.sealing_pressure(scan, interface=asperity.Interface(1e9, 0.3), samples=2)
+    >>> bool((found["lowest_sealing_pressure_Pa"] <= found["highest_sealing_pressure_Pa"]).all())
+    True
+    """
+    if not 2 <= samples <= 1000:
+        raise ValueError(f"samples is {samples}: 2 to 1000 were required")
+    scan = surface, interface, level, (boundary, elastic)
+    return Table(*_asperity.sealing_pressure(scan, samples))
+
+
 class BemUnloading(Table):
     """The opening of a scan from its greatest load; made by ``bem_unloading``.
 

@@ -2,7 +2,7 @@
 
 use asperity::bem::BemError;
 use asperity::linspace;
-use asperity_answer::{Press, Sheet, Watch, compared, truth_of};
+use asperity_answer::{Press, Sheet, Watch, compared, sealing, truth_of};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -47,6 +47,22 @@ pub(crate) fn bem<'py>(
     }
     let maps = keep.then(|| maps.map(|map| PyArray1::from_vec(py, map)));
     Ok((table(py, &sheet)?, maps, bem.map().shape()))
+}
+
+/// Sealing pressures along x and y over samples of the surface.
+#[pyfunction]
+pub(crate) fn sealing_pressure<'py>(
+    py: Python<'py>,
+    pressed: Arguments<'py>,
+    samples: usize,
+) -> PyResult<Table<'py>> {
+    let Pressed { bem, file } = Pressed::new(pressed)?;
+    let mut sheet = Sheet::default();
+    let found =
+        run_interruptible(py, |stop| sealing((&file, &bem), samples, &mut sheet, stop).map(drop))?;
+    found.map_err(|error| without(&sheet, error))?;
+    warn_of(py, &file, &sheet)?;
+    table(py, &sheet)
 }
 
 /// Solves the contact at a mean pressure, load or mean gap, and after retreats \[m\] from it: those
