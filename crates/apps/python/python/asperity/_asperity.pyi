@@ -49,6 +49,7 @@ __all__ = [
     "quantities",
     "quantity",
     "random_surface",
+    "sealing_pressure",
     "separations",
     "shares",
     "template",

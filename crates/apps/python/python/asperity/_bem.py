@@ -132,7 +132,7 @@ def sealing_pressure(
     Examples
     --------
     >>> import asperity
-    >>> scan = asperity.random_surface((64, 64), 1e-6, long=32e-6, short=8e-6, sq=1e-7, seed=1)
+    >>> scan = asperity.random_surface((64, 64), 1e-5, long=32e-5, short=8e-5, sq=5e-6, seed=1)
     >>> found = asperity.sealing_pressure(scan, interface=asperity.Interface(1e9, 0.3), samples=2)
     >>> bool((found["lowest_sealing_pressure_Pa"] <= found["highest_sealing_pressure_Pa"]).all())
     True
