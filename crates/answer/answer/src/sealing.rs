@@ -65,22 +65,19 @@ pub fn sealing(
         short(1e9 * molecule)
     ));
     for (k, along) in Direction::ALL.into_iter().enumerate() {
-        let mut all: Vec<Option<Sealing>> = found.iter().map(|sealed| sealed[k]).collect();
-        let pressure = |one: &Option<Sealing>| one.map_or(0.0, |one| one.pressure);
-        all.sort_by(|a, b| pressure(a).total_cmp(&pressure(b)));
-        let (count, last) = (all.len(), all.len() - 1);
-        let never = all.iter().filter(|one| one.is_none()).count();
+        let all: Vec<Option<Sealing>> = found.iter().map(|sealed| sealed[k]).collect();
+        let (count, never) = (all.len(), all.iter().filter(|one| one.is_none()).count());
         if never > 0 {
             sheet.result(format!("along {along} no path is open in {never} of {count} samples, down to the lightest contacts: their sealing pressures count as the lowest, and are blank"));
         }
         let mut row = vec![Cell::from(&*along.to_string()), (count as f64).into()];
         for (_, number) in NUMBERS {
-            let of = |at: usize| all[at].as_ref().map(number);
-            let middle = of(last / 2).zip(of(count / 2)).map(|(a, b)| 0.5 * (a + b));
-            row.extend([of(0), middle, of(last)].map(Cell::from));
+            let mut of: Vec<_> = all.iter().map(|one| one.as_ref().map(number)).collect();
+            of.sort_by(|a, b| a.unwrap_or(0.0).total_cmp(&b.unwrap_or(0.0)));
+            let middle = of[(count - 1) / 2].zip(of[count / 2]).map(|(a, b)| 0.5 * (a + b));
+            row.extend([of[0], middle, of[count - 1]].map(Cell::from));
         }
-        let gaps = all.iter().flatten().map(|one| one.tightest_gap);
-        let tightest = gaps.min_by(f64::total_cmp);
+        let tightest = all.iter().flatten().map(|one| one.tightest_gap).min_by(f64::total_cmp);
         row.push(tightest.into());
         sheet.rows.push(row);
         let field = format!("tightest_gap_{along}");

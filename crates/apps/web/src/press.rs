@@ -92,9 +92,9 @@ pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
 }
 
 /// Solves the contact of a scene's scan at mean pressures, with `leaks` also the flow through its
-/// gap and its seal: the first before all others, and of these the heaviest first. Events are the progress, a
-/// load that is solved, one that failed, and at last the map of the flow at the first load, which
-/// takes about twice as long as a solution.
+/// gap and its seal: the first before all others, and of these the heaviest first. Events are the
+/// progress, a load that is solved, one that failed, and at last the map of the flow at the first
+/// load, which takes about twice as long as a solution.
 pub(crate) fn press(
     file: &SceneFile,
     pressures: &[f64],

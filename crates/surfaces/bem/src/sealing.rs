@@ -4,10 +4,10 @@ use std::ops::ControlFlow;
 
 use crate::network::Direction;
 use crate::solver::{BoundaryElements, Run};
-use crate::{BemError, HeightMap, LoadCase, Progress, Solution};
+use crate::{BemError, LoadCase, Progress, Solution};
 
-/// The first pressure over modulus times gradient, near which isotropic surfaces seal.
-const START: f64 = 0.2;
+/// The first pressure over modulus times Sq over the side: surfaces of few waves seal near it.
+const START: f64 = 10.0;
 /// The step to another pressure until one is open and one closed.
 const STEP: f64 = 4.0;
 /// Steps down, after which a path is taken as never open.
@@ -41,8 +41,10 @@ impl BoundaryElements {
         molecule: f64,
         mut progress: impl FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<([Option<Sealing>; 2], Option<Solution>), BemError> {
-        let start = (START * self.modulus() * gradient(self.map())).min(0.5 * self.cap());
-        let start = if start > 0.0 { start } else { START * self.modulus() };
+        let slope = self.map().rms_height() / self.map().area().sqrt();
+        // A flat map is closed at any pressure.
+        let slope = if slope > 0.0 { slope } else { 1.0 };
+        let start = (START * self.modulus() * slope).min(0.5 * self.cap());
         let mut run = Run::new(self);
         let mut known: Vec<Tried> = vec![];
         let mut heaviest: Option<Solution> = None;
@@ -93,16 +95,4 @@ fn ends(known: &[Tried], k: usize) -> (Option<Sealing>, Option<f64>) {
     let open = known.iter().filter_map(|(_, open)| open[k]);
     let closed = known.iter().filter(|(_, open)| open[k].is_none()).map(|(pressure, _)| *pressure);
     (open.max_by(|a, b| a.pressure.total_cmp(&b.pressure)), closed.min_by(f64::total_cmp))
-}
-
-/// The root mean square gradient, by neighbours.
-fn gradient(map: &HeightMap) -> f64 {
-    let ([rows, columns], [height, width], heights) = (map.shape(), map.pixel(), map.heights());
-    let square = |(at, here): (usize, &f64)| {
-        let (row, column) = (at - at % columns, at % columns);
-        let down = heights[(at + columns) % (rows * columns)] - here;
-        let along = heights[row + (column + 1) % columns] - here;
-        (down / height).powi(2) + (along / width).powi(2)
-    };
-    (heights.iter().enumerate().map(square).sum::<f64>() / heights.len() as f64).sqrt()
 }

@@ -50,7 +50,8 @@ pub struct BemCommand {
     /// --compare tangent, unloading-stiffness or both
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
-    /// Samples of --sealing-pressure: the scan, and surfaces of its spectrum and heights [default: 8]
+    /// Samples of --sealing-pressure, the scan and surfaces of its spectrum and heights [default:
+    /// 8]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=1000))]
     samples: Option<u16>,
     /// Add the results on every second pixel, to show their dependence on the grid
