@@ -1,13 +1,10 @@
-//! `bem`, `joint` and `curve` on the scan of a ball, pressed alike, against Hertz, Cattaneo and
-//! Mindlin.
+//! `bem`, `joint` and `curve` on the scan of a ball, pressed alike.
 
 use crate::bench::{Bench, column};
 
 const MODULUS: f64 = 210e9 / (2.0 * (1.0 - 0.09));
 const RADIUS: f64 = 2e-3;
 const LOAD: f64 = 10.0;
-/// 4 G/E of like bodies with a Poisson's ratio of 0.3.
-const RATIO: f64 = 1.4 / 1.7;
 
 /// Two bodies of steel, 65 x 65 points around the top of a ball of one.
 fn bench() -> Bench {
@@ -34,52 +31,6 @@ fn depth() -> f64 {
 #[track_caller]
 fn close(found: f64, required: f64, within: f64) {
     assert!((found / required - 1.0).abs() < within, "{found:e} {required:e}");
-}
-
-/// A number behind these words of a message.
-fn told(messages: &str, words: &str) -> f64 {
-    let (_, rest) = messages.split_once(words).unwrap();
-    rest.split(' ').next().unwrap().parse().unwrap()
-}
-
-#[test]
-fn a_ball_opens_as_hertz_found() {
-    let bench = bench();
-    let run = bench.run("joint ball.toml --model bem --load 10 --retreat 0nm,50nm");
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    assert_eq!(run.messages.matches("note[single-body]").count(), 1, "{}", run.messages);
-    let (force, stiffness) = (column(&run.out, "force_N"), column(&run.out, "stiffness_N_per_m"));
-    close(stiffness[0], 2.0 * MODULUS * (RADIUS * depth()).sqrt(), 0.01);
-    close(force[1], LOAD * (1.0 - 50e-9 / depth()).powf(1.5), 2e-3);
-    close(told(&run.messages, "a retreat of "), depth(), 5e-3);
-    // One description of the press: as `bem` and `curve` solve it.
-    let asked = "--load 10 --quantity unloading-stiffness --format csv";
-    for command in ["bem ball.toml", "curve ball.toml --model bem"] {
-        let out = bench.data(&format!("{command} {asked}"));
-        close(column(&out, "unloading_stiffness_N_per_m")[0], stiffness[0], 1e-9);
-    }
-}
-
-#[test]
-fn a_ball_slips_as_cattaneo_and_mindlin_found() {
-    let bench = bench();
-    let (limit, whole) = (0.2 * LOAD, 0.2 * depth() / RATIO);
-    let slip = |amplitude: f64| {
-        let line = "joint ball.toml --model bem --load 10 --friction 0.2 --points 2";
-        let run = bench.run(&format!("{line} --amplitude {amplitude}"));
-        assert_eq!(run.code, Some(0), "{}", run.messages);
-        (column(&run.out, "forth_N")[1], told(&run.messages, "dissipates "), run.messages)
-    };
-    for amplitude in [150e-9, 300e-9] {
-        let share = amplitude / whole;
-        let force = 1.0 - (1.0 - share).powf(1.5);
-        let under = share - 0.4 * (1.0 - (1.0 - share).powf(2.5));
-        let (found, loss, messages) = slip(amplitude);
-        close(found, limit * force, 5e-3);
-        close(loss, limit * whole * (8.0 * under - 4.0 * force * share), 0.01);
-        let sliding = told(&messages, "a shift of ");
-        close(sliding, whole * (1.0 - 0.01f64.powf(2.0 / 3.0)), 5e-3);
-    }
 }
 
 #[test]

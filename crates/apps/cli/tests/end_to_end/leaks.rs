@@ -1,28 +1,7 @@
 //! `bem`: hydraulic gaps, flows and their map.
 
 use crate::bem::bench;
-use crate::bench::{Bench, column, csv};
-
-#[test]
-fn a_fluid_adds_hydraulic_gaps_and_flows_until_the_contact_seals() {
-    let bench = bench();
-    let fluid = ["--viscosity", "1 mPa s", "--pressure-drop", "2bar"];
-    let arguments = "bem scan.toml --elastic --pressure 1e8,4e10 --format csv";
-    let mut command = bench.command();
-    command.args(arguments.split(' ')).args(fluid);
-    let run = crate::bench::Run::of(command.output().unwrap());
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    let of = |name: &str| column(&run.out, name);
-    let (gaps, flows) = (of("hydraulic_gap_x_m"), of("flow_x_m3_per_s"));
-    // A square: h³ Δp/(12 μ).
-    assert!((flows[0] / (gaps[0].powi(3) * 2e5 / 12e-3) - 1.0).abs() < 1e-12, "{flows:?}");
-    assert!(gaps[0] > 0.2 * of("mean_gap_m")[0] && of("hydraulic_gap_y_m")[0] > 0.0);
-    // Sealed.
-    assert!([gaps[1], flows[1], of("flow_y_m3_per_s")[1]].iter().all(|none| *none == 0.0));
-    // Unasked, there are none.
-    let bare = bench.data("bem scan.toml --pressure 1e8 --format csv");
-    assert!(csv(&bare).0.iter().all(|head| !head.contains("flow") && !head.contains("hydraulic")));
-}
+use crate::bench::Bench;
 
 #[test]
 fn the_map_of_the_flow_shows_contact_and_path() {
