@@ -249,26 +249,4 @@ mod tests {
         assert!(found["answer"]["spoken"].as_str().unwrap().contains(" to "));
         assert_eq!(found["rows"][1]["model"], "ke");
     }
-
-    #[test]
-    fn curves_have_their_ends_and_tables_are_those_of_the_middle() {
-        let mut desk = Desk::default();
-        let shown = call(&mut desk, json!({ "call": "show", "text": GROUND }));
-        let curves = call(&mut desk, json!({ "call": "curve", "models": ["ke"] }));
-        let rows = curves["ke"].as_str().unwrap();
-        let head = shown["head"].as_str().unwrap();
-        let of = |name: &str| -> Vec<f64> {
-            let place = head.split(',').position(|known| known == name).unwrap();
-            rows.lines().map(|line| line.split(',').nth(place).unwrap().parse().unwrap()).collect()
-        };
-        let [own, lower, upper] =
-            ["area_fraction", "area_fraction_lower", "area_fraction_upper"].map(of);
-        assert_eq!((own.len(), lower.len(), upper.len()), (200, 200, 200));
-        assert!((0..200).all(|k| lower[k] <= own[k] && own[k] <= upper[k]));
-        let load = json!({ "text": "1 MPa" });
-        let drawn = json!({ "call": "draw", "rows": [rows], "view": "tangent", "load": load, "solved": [] });
-        assert!(call(&mut desk, drawn).as_str().unwrap().starts_with("<svg"));
-        let export = json!({ "call": "export", "model": "ke", "form": "csv", "units": "SI" });
-        assert!(call(&mut desk, export)["text"].is_string());
-    }
 }

@@ -308,28 +308,6 @@ mod tests {
     }
 
     #[test]
-    fn a_load_that_a_model_refuses_has_its_reason() {
-        let scenes = scenes();
-        let reason = |load: f64| of(&scenes, "ke", At::Load(load)).reason;
-        assert!(reason(-5.0).unwrap().ends_with(ADHESIVE));
-        let heavy = reason(1e30).unwrap();
-        let significant_digits = |number: &str| {
-            let mantissa = number.split('e').next().unwrap_or_default();
-            mantissa.trim_matches('0').chars().filter(char::is_ascii_digit).count()
-        };
-        assert!(heavy.split(' ').all(|part| significant_digits(part) <= 5), "{heavy}");
-        assert_eq!(reason(100.0), None);
-        // Adhesive models may carry it; one describes opening.
-        let text = include_str!("../../../answer/scene/examples/elastomer-on-glass.toml");
-        let text = text.replace("rigid_", "work_of_adhesion = 0.05\nrigid_");
-        let file = [asperity_scene::parse(&text, std::path::Path::new(".")).unwrap()];
-        for id in ["dmt", "jkr"] {
-            let reason = of(&file, id, At::Load(-1.0)).reason.unwrap();
-            assert_eq!(reason.ends_with(OPENING), id == "jkr");
-        }
-    }
-
-    #[test]
     fn rows_and_curves_are_the_answers_of_the_library() {
         let scenes = scenes();
         let ke = compile(&scenes, "ke").unwrap();

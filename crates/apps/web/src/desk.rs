@@ -358,29 +358,4 @@ mod tests {
         call(&mut desk, json!({ "call": "show", "text": text }));
         assert_eq!((desk.file("a.txt"), desk.file("b.txt")), (None, Some(&b"1 2"[..])));
     }
-
-    #[test]
-    fn a_random_surface_is_pressed_and_shown() {
-        let mut desk = Desk::default();
-        let keys = json!({ "pixels": "64", "side": "64 um", "longest": "32 um", "shortest": "4 um", "hurst": "0.8", "sq": "0.5 um", "seed": "3" });
-        let made = call(&mut desk, json!({ "call": "random", "keys": keys }));
-        let name = made["ok"]["name"].as_str().unwrap();
-        let text = asperity_scene::template();
-        let text = call(&mut desk, json!({ "call": "use-scan", "text": text, "name": name }));
-        let shown = call(&mut desk, json!({ "call": "show", "text": text["ok"] }));
-        assert!(shown["ok"]["error"].is_null(), "{shown}");
-        let scan = &shown["ok"]["scan"];
-        assert_eq!((&scan["rows"], &scan["columns"]), (&json!(64), &json!(64)));
-        assert!(scan["refused"].is_null() && scan["pressures"].as_array().unwrap().len() == 6);
-        // Another desk reports on the heights without the file.
-        let scan = call(&mut desk, json!({ "call": "scan" }));
-        let shape = scan["ok"]["shape"].to_string();
-        let report = Desk::default().report(desk.heights().to_vec(), &shape);
-        assert!(report.contains("\"svg\":\"<svg") && report.contains("64 x 64 points"), "{report}");
-        assert!(Desk::default().report(vec![], &shape).starts_with("{\"error\""));
-        let mut solved = 0;
-        let answer =
-            desk.press(&[2e8], false, |event| solved += usize::from(event.contains("solved")));
-        assert_eq!((answer.as_str(), solved), ("{\"ok\":null}", 1));
-    }
 }

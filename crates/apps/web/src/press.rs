@@ -348,17 +348,4 @@ mod tests {
         let values = map["map"]["readings"]["values"].as_array().unwrap();
         assert!(values.iter().any(|value| value == "no flow"));
     }
-
-    #[test]
-    fn a_sealed_contact_has_no_flow() {
-        let (file, events) = pressed(asperity_scene::template(), &[1.8e9], true);
-        let [.., solved, _, map] = &events[..] else { panic!("{events:?}") };
-        assert_eq!(
-            (digits(solved, "hydraulic-gap-x"), digits(solved, "hydraulic-gap-y")),
-            (Some(0.0), Some(0.0))
-        );
-        let values = map["map"]["readings"]["values"].as_array().unwrap();
-        assert!(values.iter().all(|value| value == "no flow"));
-        assert_eq!(flows(&file, OIL, &[[0.0; 2]]).unwrap()["cells"][0][0]["shown"], "0 m³/s");
-    }
 }
