@@ -1,10 +1,9 @@
-"""Curved bodies: numbers of an independent solver, places, arrays, refusals."""
+"""Curved bodies: numbers of an independent solver, places, arrays."""
 
 from __future__ import annotations
 
 import pickle
 import re
-from collections.abc import Callable
 from typing import Any
 
 import asperity
@@ -115,31 +114,3 @@ def test_a_scene_with_curved_bodies_is_written_copied_and_known_within_ranges(
     worn = asperity.Scene.parse(text)
     assert worn.at("upper").curvature == {"radius_x": 8e-3, "radius_y": 6.35e-3}
     assert asperity.Scene.parse(worn.to_toml()) == worn
-
-
-def test_what_flat_bodies_alone_have_is_refused(ball: asperity.Scene) -> None:
-    ke, surface = asperity.model("ke"), ball.surface
-    flat = asperity.Scene(ball.interface, surface, 1e-4)
-    calls: list[Callable[[], Any]] = [
-        lambda: ball.nominal_area,
-        lambda: ke.solve(ball, 2.0),
-        lambda: ke.solve(ball, film=1e-6),
-        lambda: ke.solve(ball, pressure=1e6),
-        lambda: ke.solve(ball, load=1.0, quantities="pressure"),
-        lambda: ke.solve(flat, approach=1e-6),
-        lambda: ke.compile(ball).force(1.0),
-        lambda: ke.unloading(ball, load=1.0),
-        lambda: ke.joint_table(ball, -1.0, 4.0),
-        lambda: asperity.export("ke", ball, "csv", load=(1.0, 10.0), nodes=9),
-        lambda: asperity.bem(ball, pressure=1e6),
-        lambda: ball.flow_factors([3.0]),
-        lambda: ball.replace(nominal_area=1.0),
-        lambda: ball.replace(length=1.0),
-        lambda: flat.replace(radius=1.0),
-        lambda: flat.profile(1.0),
-        lambda: asperity.Scene(ball.interface, surface),
-        lambda: asperity.Scene(ball.interface, surface, 1e-4, curvature={"radius": 0.01}),
-    ]
-    for refused in calls:
-        with pytest.raises(ValueError):
-            refused()
