@@ -9,40 +9,6 @@ fn stated_error(table: &str, before: &str) -> f64 {
     after.split_whitespace().next().unwrap().trim_end_matches(',').parse().unwrap()
 }
 
-#[test]
-fn other_solvers_get_the_same_lines_in_their_formats() {
-    let bench = Bench::new();
-    bench.write("scene.toml", &conducting());
-    let of = |form: &str, arguments: &str| {
-        bench.run(&format!("export scene.toml --model ke --as {form} --load 1:1e3 {arguments}"))
-    };
-    let numbers = |line: &str| -> Vec<f64> {
-        line.split([',', ' ']).filter_map(|word| word.parse().ok()).collect()
-    };
-    let rows = |text: &str| -> Vec<Vec<f64>> {
-        text.lines().filter(|line| !line.starts_with('*')).map(numbers).collect()
-    };
-    let (abaqus, calculix) = (of("abaqus", "--max-error 0.1"), of("calculix", "--max-error 0.1"));
-    let (pairs, shifted) = (rows(&abaqus.out), rows(&calculix.out));
-    assert!(calculix.out.contains(
-        "\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n0.000000000e0, 0.000000000e0\n"
-    ));
-    assert_eq!(pairs.len(), shifted.len());
-    let begins = -pairs[0][1];
-    assert!(calculix.out.contains(&format!("{begins:.9e} m")));
-    for (pair, moved) in pairs.iter().zip(&shifted) {
-        assert!((moved[0] - pair[0]).abs() <= 1e-9 * pair[0]);
-        assert!((moved[1] - (pair[1] + begins)).abs() < 1e-9 * begins);
-    }
-    // Both codes read 20 characters of a number.
-    let conductance = of("abaqus", "--max-error 0.1 --conductance clearance").out;
-    for text in [&calculix.out, &abaqus.out, &conductance] {
-        let rows = text.lines().filter(|line| !line.starts_with('*'));
-        let lengths: Vec<usize> = rows.flat_map(|row| row.split(", ")).map(str::len).collect();
-        assert!(lengths.len() >= 4 && lengths.iter().all(|length| *length <= 20), "{lengths:?}");
-    }
-}
-
 fn numbers(line: &str) -> Vec<f64> {
     line.split(", ").map(|word| word.parse().unwrap()).collect()
 }

@@ -2,7 +2,6 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "tests: a panic is the failure")]
 
 mod answer;
-mod ball;
 mod bem;
 mod bench;
 mod conductance;
