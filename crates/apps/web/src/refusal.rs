@@ -48,7 +48,6 @@ impl<E: Error + 'static> From<E> for Refusal {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
 
     use asperity_scene::HandedFiles;
 
