@@ -48,7 +48,6 @@ impl<E: Error + 'static> From<E> for Refusal {
 
 #[cfg(test)]
 mod tests {
-
     use asperity_scene::HandedFiles;
 
     use super::*;
