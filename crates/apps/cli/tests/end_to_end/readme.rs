@@ -47,7 +47,7 @@ fn the_walk_throughs_show_the_real_output() {
     }
 }
 
-/// What users are told, a file a command, to be read as prose when it changes: refusals end with
+/// What users are told, and rows of each option, read as prose when they change: refusals end with
 /// 2 where the command line is wrong, with 1 where a file is, and print no data.
 #[test]
 fn transcripts_are_those_that_were_read() {
