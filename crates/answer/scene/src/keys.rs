@@ -247,17 +247,19 @@ keys! {
         gas_parameter("m" ", temperature-jump distance: about 0.37 um for air at 1 bar, 0 for a liquid")
     } {}
     "seal" Seal numbers SEAL in Seal {
-        width("m" ", across the flow; of a ring along it")
-        length("m" ", along the flow")
+        width("m" ", across the flow; of a ring along it" form "Width" "100 mm")
+        length("m" ", along the flow" form "Length" "2 mm")
         perimeter("m" ", of a ring, instead of length")
-        upstream_pressure("Pa" ", absolute")
-        downstream_pressure("Pa" ", absolute; 0 is a vacuum")
-        viscosity("Pa s" ", of a liquid, or instead of that of the gas")
+        upstream_pressure("Pa" ", absolute" form "Pressure upstream" "10 bar")
+        downstream_pressure("Pa" ", absolute; 0 is a vacuum" form "Pressure downstream" "1 bar")
+        viscosity("Pa s" ", of a liquid, or instead of that of the gas"
+            form "Viscosity of a liquid" "1 mPa s")
         density("kg/m^3" ", of a liquid, for its mass flow")
         molar_mass("kg/mol" ", of a gas that is not in the list, with its viscosity")
         temperature("K" ", of the gas; 293.15 if missing")
     } {
-        gas("" "air, nitrogen, hydrogen, helium, argon or methane")
+        gas("" "air, nitrogen, hydrogen, helium, argon or methane"
+            form "Gas" "air|nitrogen|hydrogen|helium|argon|methane")
     }
     "options" Options {
         angle_density("" "of gao and at; or \"upright\"")

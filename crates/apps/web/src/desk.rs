@@ -141,9 +141,6 @@ impl Desk {
             }
             Message::Draw(asked) => picture::curves(self.scene()?, &asked)?.into(),
             Message::Scan => scan_report::numbers(self.scene()?)?,
-            Message::Flow { viscosity, pressure_drop, gaps } => {
-                press::flows(self.scene()?, [&viscosity, &pressure_drop], &gaps)?
-            }
             Message::Export { model, form, units } => {
                 table::table(self.scene()?, &model, &form, &units)?
             }

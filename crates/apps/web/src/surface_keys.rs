@@ -70,6 +70,7 @@ pub(crate) fn form() -> Value {
         "other": other,
         "more": of(&is_more),
         "every": of(&|key| key.subject == Subject::Surface),
+        "seal": of(&|key| key.subject == Subject::Seal),
     })
 }
 
@@ -312,7 +313,7 @@ mod tests {
     #[test]
     fn every_number_of_the_form_has_its_unit() {
         let form = form();
-        let lists = ["body", "interface", "more", "every", "other"].map(|list| &form[list]);
+        let lists = ["body", "interface", "more", "every", "other", "seal"].map(|list| &form[list]);
         let ways = form["ways"].as_object().unwrap().values();
         let all = lists.into_iter().chain(ways).flat_map(|list| list.as_array().unwrap());
         let mut count = 0;

@@ -109,12 +109,6 @@ fn messages() {
     );
     let draw = |rows: Value| json!({ "call": "draw", "rows": rows, "view": "tangent", "load": { "text": "9 N" }, "solved": [] });
     heard.ask("no model drawn", draw(json!([])));
-    for fluid in [["46 cSt", "1 bar"], ["20", "1 bar"], ["-1 Pa s", "1 bar"], ["1 Pa s", ""]] {
-        let [viscosity, drop] = fluid;
-        let asked =
-            json!({ "call": "flow", "viscosity": viscosity, "pressure_drop": drop, "gaps": [] });
-        heard.ask(&format!("{fluid:?}"), asked);
-    }
     for link in ["AAAA", "eyJ2ZXJzaW9uIjoyfQ"] {
         heard.ask("link", json!({ "call": "unlink", "link": link }));
     }

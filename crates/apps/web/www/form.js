@@ -70,7 +70,8 @@ export function fill(shown, edits, form) {
   const edit = (changes) => edits(changes, isAnother);
   const has = (start) => Object.keys(fields).some((path) => path.startsWith(start));
   const rigid = fields.rigid_counterface === "true";
-  const kind = [has("interface."), rigid, way].join();
+  const sealed = has("seal.");
+  const kind = [has("interface."), rigid, way, sealed].join();
   if (kind !== built) {
     built = kind;
     // Another form keeps the place of the user, and what is being typed there.
@@ -94,6 +95,8 @@ export function fill(shown, edits, form) {
     const rest = way === "scan" ? [element("details", { id: "more" }, element("summary", {}, "More about the scan"), ...[...form.more, ...form.every].map(ofSurface))] : form.every.map(ofSurface);
     const ofOther = shown.other ? other(edit, form.other.map(ofSurface)) : [];
     $("surface-fields").replaceChildren(...form.ways[way].map(ofSurface), ...ofOther, ...rest);
+    $("add-seal").hidden = sealed;
+    $("seal").replaceChildren(...(sealed ? form.seal.map(([key, ...about]) => field(`seal.${key}`, about, edit)) : []));
     const again = path && [...document.querySelectorAll("[data-path]")].find((input) => input.dataset.path === path);
     if (again && typed) {
       again.value = value;
