@@ -1,6 +1,7 @@
 //! Summits, points above their eight neighbours, and the density of their heights.
 
 use asperity_core::Surface;
+use nalgebra::{Matrix2, Vector2};
 use serde::Serialize;
 
 use crate::error::refuse;
@@ -8,6 +9,8 @@ use crate::{Topography, TopographyError};
 
 /// The least number of summits for a meaningful standard deviation.
 const FEWEST: usize = 10;
+/// The largest distance of a summit from the top of its quadric, along rows and columns \[points\].
+const FARTHEST: f64 = 1.0;
 
 /// The summits of a surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,9 +54,10 @@ impl Summits {
 
 impl Topography {
     /// The summits: points above their eight neighbours; of equal neighbours, the last in reading
-    /// order. The curvature is that of the least-squares quadric through the nine points: for
-    /// asperities of few points, it is smaller than the second difference of
-    /// [`Topography::moments`]. Points at the edge or next to a missing one are not searched.
+    /// order. The least-squares quadric through the nine points has its top within one point of
+    /// them along rows and columns: a ridge askew to the rows has more points above their
+    /// neighbours than summits. The curvature is that of the quadric: for asperities of few points,
+    /// it is smaller than the second difference of [`Topography::moments`]. Points at the edge or next to a missing one are not searched.
     ///
     /// # Errors
     /// [`TopographyError::SummitsOfProfile`] for a profile.
@@ -63,13 +67,20 @@ impl Topography {
         }
         let [dx, dy] = self.pixel_size();
         let (mut heights, mut curvatures) = (Vec::new(), Vec::new());
-        let searched = self.search(1, |[up, middle, down]| {
-            let across = |[a, b, c]: [f64; 3]| a - 2.0 * b + c;
-            let xx = (across(up) + across(middle) + across(down)) / (3.0 * dx * dx);
-            let column = |i: usize| across([up[i], middle[i], down[i]]);
-            let yy = (column(0) + column(1) + column(2)) / (3.0 * dy * dy);
-            heights.push(middle[1]);
-            curvatures.push(-0.5 * (xx + yy));
+        let searched = self.search(1, |lines| {
+            let columns = [0, 1, 2].map(|i| lines.map(|line| line[i]));
+            let mean = |of: [[f64; 3]; 3], weights: [f64; 3]| {
+                of.iter().flatten().zip(weights.iter().cycle()).map(|(z, w)| z * w / 3.0).sum()
+            };
+            let [xx, yy]: [f64; 2] = [lines, columns].map(|of| mean(of, [1.0, -2.0, 1.0]));
+            let [x, y] = [lines, columns].map(|of| mean(of, [-0.5, 0.0, 0.5]));
+            let [up, _, down] = lines;
+            let xy = 0.25 * (up[0] - up[2] - down[0] + down[2]);
+            let bend = Matrix2::new(-xx, -xy, -xy, -yy).cholesky();
+            if bend.is_some_and(|bend| bend.solve(&Vector2::new(x, y)).amax() <= FARTHEST) {
+                heights.push(lines[1][1]);
+                curvatures.push(-0.5 * (xx / (dx * dx) + yy / (dy * dy)));
+            }
         });
         Ok(Summits { heights, curvatures, area: searched as f64 * dx * dy })
     }
