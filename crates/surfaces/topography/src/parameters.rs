@@ -65,25 +65,17 @@ impl Topography {
         let [dx, dy] = self.pixel_size();
         // √(1 + s) - 1 without cancellation.
         let excess = |square: f64| square / (1.0 + (1.0 + square).sqrt());
-        let (mut sum, mut n) = (0.0, 0_usize);
-        if self.is_profile() {
-            let z = self.heights();
-            let wrap = self.is_periodic().then(|| [z[z.len() - 1], z[0]]);
-            let pairs = z.windows(2).map(|pair| [pair[0], pair[1]]).chain(wrap);
-            for [a, b] in pairs.filter(|pair| !pair.iter().any(|z| z.is_nan())) {
-                sum += excess(((b - a) / dx).powi(2));
-                n += 1;
-            }
-            return (n > 0).then(|| sum / n as f64);
-        }
-        self.squares(|[[a, b], [c, d]]| {
-            let [top, bottom, left, right] =
-                [(b - a) / dx, (d - c) / dx, (c - a) / dy, (d - b) / dy].map(|slope| slope * slope);
-            let corners = [top + left, top + right, bottom + left, bottom + right];
-            sum += 0.25 * corners.into_iter().map(excess).sum::<f64>();
-            n += 1;
-        });
-        (n > 0).then(|| sum / n as f64)
+        let found = match self.is_profile() {
+            true => self.means(1, |[[a, b]]| [excess(((b - a) / dx).powi(2))]),
+            false => self.means(1, |[[a, b], [c, d]]| {
+                let [top, bottom, left, right] =
+                    [(b - a) / dx, (d - c) / dx, (c - a) / dy, (d - b) / dy]
+                        .map(|slope| slope * slope);
+                let corners = [top + left, top + right, bottom + left, bottom + right];
+                [0.25 * corners.into_iter().map(excess).sum::<f64>()]
+            }),
+        };
+        found.map(|[mean]| mean)
     }
 }
 

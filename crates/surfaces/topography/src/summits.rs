@@ -97,27 +97,14 @@ impl Topography {
     /// Calls `found` with each summit and its neighbours `step` away; returns the number of points
     /// with all their neighbours.
     fn search(&self, step: usize, mut found: impl FnMut([[f64; 3]; 3])) -> usize {
-        let (columns, rows) = (self.columns(), self.rows());
-        let (left, top) = if self.is_periodic() { (0, 0) } else { (step, step) };
-        if columns <= 2 * step || rows <= 2 * step {
-            return 0;
-        }
-        let row = |y: usize| &self.heights()[(y % rows) * columns..][..columns];
         let mut searched = 0;
-        for y in top..rows - top {
-            let (up, middle, down) = (row(y + rows - step), row(y), row(y + step));
-            for x in left..columns - left {
-                let (a, b) = ((x + columns - step) % columns, (x + step) % columns);
-                let nine = [up, middle, down].map(|row| [row[a], row[x], row[b]]);
-                if nine.iter().flatten().any(|z| z.is_nan()) {
-                    continue;
-                }
-                searched += 1;
-                let [[p, q, r], [s, z, t], [u, v, w]] = nine;
-                let above_earlier = z >= p && z >= q && z >= r && z >= s;
-                if above_earlier && z > t && z > u && z > v && z > w {
-                    found(nine);
-                }
+        let measured = |nine: &[[f64; 3]; 3]| !nine.iter().flatten().any(|z| z.is_nan());
+        for nine in self.windows(step).flatten().filter(measured) {
+            searched += 1;
+            let [[p, q, r], [s, z, t], [u, v, w]] = nine;
+            let above_earlier = z >= p && z >= q && z >= r && z >= s;
+            if above_earlier && z > t && z > u && z > v && z > w {
+                found(nine);
             }
         }
         searched
