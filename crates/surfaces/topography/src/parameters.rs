@@ -1,5 +1,6 @@
 //! Height and hybrid parameters of ISO 25178-2.
 
+use crate::topography::extremes;
 use crate::{Topography, TopographyError};
 
 /// Height and hybrid parameters of ISO 25178-2, of heights about their mean.
@@ -44,8 +45,8 @@ impl Topography {
         let moments = self.moments()?;
         let sq = m0.sqrt();
         let measured = || self.heights().iter().filter(|z| !z.is_nan()).map(|z| z - mean);
-        let sp = measured().fold(f64::NEG_INFINITY, f64::max);
-        let sv = -measured().fold(f64::INFINITY, f64::min);
+        let [low, high] = extremes(self.heights());
+        let (sp, sv) = (high - mean, mean - low);
         let sa = measured().map(f64::abs).sum::<f64>() / self.measured() as f64;
         let across = moments.along_columns.map_or(0.0, |[m2, _]| m2);
         Ok(Parameters {

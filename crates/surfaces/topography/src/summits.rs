@@ -5,6 +5,7 @@ use nalgebra::{Matrix2, Vector2};
 use serde::Serialize;
 
 use crate::error::refuse;
+use crate::topography::extremes;
 use crate::{Topography, TopographyError};
 
 /// The least number of summits for a meaningful standard deviation.
@@ -133,8 +134,7 @@ impl Summits {
         let std = self.surface()?.asperity_height_std;
         let n = self.heights.len() as f64;
         let width = 2.15 * std * n.powf(-0.2);
-        let highest = self.heights.iter().copied().fold(f64::MIN, f64::max);
-        let lowest = self.heights.iter().copied().fold(f64::MAX, f64::min);
+        let [lowest, highest] = extremes(&self.heights);
         // No height is further than σ_z √n from the mean, so there are fewer than n bins.
         let bins = ((highest - lowest) / width).floor() as usize + 1;
         let first = 0.5 * (lowest + highest - width * bins as f64);
@@ -209,7 +209,7 @@ mod tests {
     #[test]
     fn few_summits_and_profiles_are_refused() {
         let few = egg_box(40, 2.0, 1.0).summits().unwrap().surface();
-        assert_eq!(few.unwrap_err().to_string(), "summits: 4 was found, at least 10 was required");
+        assert_eq!(few.unwrap_err().to_string(), "summits: 4; required: at least 10");
         let profile = Topography::new(vec![0.0, 1.0, 0.0], 3, [1.0; 2]).unwrap();
         assert!(matches!(profile.summits(), Err(TopographyError::SummitsOfProfile)));
     }
