@@ -129,6 +129,9 @@ export function fill(shown, edits, form) {
   }
 }
 
+// Options of files, shown where one is given or a file asks for it.
+const ASKED = ["channel", "units", "columns", "skip_lines", "missing", "factor", "delimiter"].map((key) => `surface.${key}`);
+
 // Marks fields with what is wrong or unusual.
 export function mark(error, findings) {
   const of = new Map();
@@ -144,6 +147,7 @@ export function mark(error, findings) {
     note.textContent = text ?? "";
     note.classList.toggle("wrong", severity === "error");
     if (text) unfold(input);
+    if (ASKED.includes(path)) input.closest(".row").hidden = !text && !input.value;
     if (severity === "error") input.setAttribute("aria-invalid", "true");
     else input.removeAttribute("aria-invalid");
   }
