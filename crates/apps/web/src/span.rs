@@ -55,8 +55,10 @@ impl Span {
 
     /// Places to prepare models for: none of curved bodies, which are solved when they are asked.
     pub(crate) fn prepared(self) -> Vec<At> {
-        let of_flat = self.is_flat.then(|| self.pressures()).unwrap_or_default();
-        of_flat.into_iter().map(At::Pressure).collect()
+        if !self.is_flat {
+            return vec![];
+        }
+        self.pressures().into_iter().map(At::Pressure).collect()
     }
 
     /// The pressure at a place of the slider from 0 to 1.
