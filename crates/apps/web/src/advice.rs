@@ -142,7 +142,11 @@ fn part([name, unit]: [&str; 2], column: &Column, known: Option<Known>, by: Stri
 
 #[cfg(test)]
 mod tests {
-    use asperity::At;
+    use asperity::{At, Quantity, Request};
+    use asperity_answer::{
+        Cell, Export, Inquiry, Nodes, Sheet, Silent, Subject, TableFormat, UnitSystem,
+        column_of_end,
+    };
 
     use super::*;
     use crate::Desk;
@@ -209,6 +213,77 @@ mod tests {
         assert!(against.starts_with(&percent(own / wanted.value - 1.0)), "{against}");
         let by = best.by(Compared::Area, At::Pressure(1e6)).unwrap().id();
         assert!(answer["model"].as_str().unwrap().starts_with(by), "{answer}");
+    }
+
+    /// The page, `answer`, `curve --model best` and `export --model best` have one number, to the
+    /// last digit, on the example scenes under light and heavy loads.
+    #[test]
+    fn every_way_to_an_answer_gives_the_same_digits() {
+        let examples = std::path::Path::new(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../answer/scene/examples"
+        ));
+        for entry in std::fs::read_dir(examples).unwrap() {
+            let path = entry.unwrap().path();
+            let text = std::fs::read_to_string(&path).unwrap();
+            let file = asperity_scene::parse(&text, examples).unwrap();
+            let modulus = file.scene.interface.equivalent_modulus;
+            let pressures = [3e-6, 1e-5, 1e-4, 3e-4, 1e-3].map(|share| (share * modulus).round());
+            let at = pressures.map(At::Pressure);
+            let quantities =
+                [Quantity::AreaFraction, Quantity::Tangent, Quantity::UnloadingStiffness];
+            let tolerance = asperity::Tolerance::default();
+            let best = file.model(BEST).unwrap();
+            let [mut answered, mut drawn, mut table] = [0; 3].map(|_| Sheet::default());
+            asperity_answer::Answer::new(&file, &quantities, at, tolerance)
+                .answer(&file, &mut answered)
+                .unwrap();
+            let request = Request::new(quantities).at(at);
+            Inquiry::new(&file, vec![best.clone()], request).answer(&mut drawn, &Silent).unwrap();
+            drawn.add_per_area(file.scene.nominal_area);
+            let export = Export {
+                subject: Subject { file: &file, name: "", id: BEST, model: &best, tolerance },
+                nodes: Nodes::Loads(&at),
+                format: TableFormat::Csv,
+                units: UnitSystem::Si,
+                conductance: None,
+                friction: None,
+            };
+            let mut desk = Desk::default();
+            call(&mut desk, json!({ "call": "show", "text": text }));
+            // Without a mean gap, as of worn heights, there is no table.
+            let is_exported = export.answer(&mut table, &Silent).is_ok();
+            for (k, pressure) in pressures.iter().enumerate() {
+                let of =
+                    |sheet: &Sheet, head: &str| sheet.rows[k][sheet.column(head).unwrap()].number();
+                let load = json!({ "text": format!("{pressure} Pa") });
+                let asked = json!({ "call": "answer", "models": [], "load": load, "solved": [] });
+                let page = call(&mut desk, asked);
+                for (cell, quantity) in (1..).zip(quantities) {
+                    let cell = &page["answer"]["row"]["cells"][cell];
+                    for (key, end) in
+                        [("digits", None), ("lower", Some("lower")), ("upper", Some("upper"))]
+                    {
+                        let head = quantity.column();
+                        let head = end.map_or(head.clone(), |end| column_of_end(&head, end));
+                        let wanted = of(&answered, &head);
+                        assert_eq!(of(&drawn, &head), wanted, "{path:?} {head} {pressure}");
+                        let shown = cell[key].as_str().map(|text| text.parse::<f64>().unwrap());
+                        assert_eq!(shown, wanted, "{path:?} {head} {pressure}");
+                    }
+                }
+                if is_exported {
+                    // From the closest place on.
+                    let row = &table.rows[pressures.len() - 1 - k];
+                    let exported: Vec<_> = row.iter().map(Cell::number).collect();
+                    let of = |head| of(&drawn, head);
+                    let wanted =
+                        [of("separation_m"), of("pressure_Pa"), of("tangent_per_area_N_per_m3")];
+                    assert_eq!(exported, wanted, "{path:?} {pressure}");
+                }
+            }
+            assert!(is_exported != path.ends_with("worn-pin.toml"), "{path:?}");
+        }
     }
 
     #[test]

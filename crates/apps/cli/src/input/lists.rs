@@ -144,6 +144,24 @@ pub fn range(
     move |text| have_units(text, &one).and_then(|_| Span::read(text, &one))
 }
 
+/// Reads a range likewise, or a list of at least two numbers: its ends, and the numbers.
+pub fn range_or_list(
+    one: fn(&str) -> Result<f64, String>,
+) -> impl Fn(&str) -> Result<(Span, Vec<f64>), String> + Clone {
+    move |text| {
+        if text.contains(':') {
+            return Ok((range(one)(text)?, vec![]));
+        }
+        let Numbers(list) = Numbers::read(text, &one)?;
+        match list[..] {
+            [first, .., last] => {
+                Ok((Span { first, last, count: Some(list.len()), log: false }, list))
+            }
+            _ => Err("write A:B, A:B:N or several values v,v".into()),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

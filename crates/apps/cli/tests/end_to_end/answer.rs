@@ -112,6 +112,27 @@ fn what_was_solved_answers_only_where_it_is_asked_for() {
     let ask = "answer scan.toml --pressure 3e8 --quantity area-fraction --format csv";
     let [without, with] = [ask.into(), format!("{ask} --solve")].map(|line| bench.data(&line));
     let solved = bench.data("bem scan.toml --pressure 3e8 --format csv");
+    let curve = "curve scan.toml --solve --per-area --model best --pressure 1e8,3e8 --quantity area-fraction,tangent";
+    let curve = bench.data(curve);
+    assert_eq!(cells(&curve, "area_fraction")[1], cells(&with, "area_fraction")[0]);
+    // The tables of a solver likewise, and those of boundary elements alone.
+    for model in ["best --solve", "bem"] {
+        let ask = format!("export scan.toml --model {model} --as csv --pressure 1e8,3e8");
+        let table = bench.data(&ask);
+        assert!(table.contains("no bound of the error is known"), "{table}");
+        let rows = table.lines().filter(|line| !line.starts_with('#')).skip(1);
+        let rows: Vec<Vec<f64>> =
+            rows.map(|row| row.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
+        let [gaps, tangents] =
+            ["separation_m", "tangent_per_area_N_per_m3"].map(|name| column(&curve, name));
+        for (row, k) in rows.iter().zip([1, 0]) {
+            for (found, wanted) in [(row[0], gaps[k]), (row[2], tangents[k])] {
+                assert!((found / wanted - 1.0).abs() < 1e-8, "{model}: {found} {wanted}");
+            }
+        }
+    }
+    let run = bench.run("export scan.toml --model bem --as csv --pressure 1e8:3e8:3");
+    assert!(run.code == Some(1) && run.messages.contains("list of loads"), "{}", run.messages);
     let [without, with, solved] =
         [without, with, solved].map(|text| column(&text, "area_fraction")[0]);
     assert!((with / solved - 1.0).abs() < 1e-12, "{with} {solved}");

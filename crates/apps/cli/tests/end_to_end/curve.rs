@@ -91,6 +91,41 @@ fn lists_may_be_repeated_or_joined() {
     assert_eq!(cells(&all, "model").len(), 9);
 }
 
+/// Rows of several scenes are those of each, below each other.
+#[test]
+fn several_scenes_stand_in_one_table_and_one_picture() {
+    let bench = Bench::new();
+    bench.write("soft.toml", NEGATIVE);
+    let ask = "--model best,ke --load 1,10 --per-area --film-columns";
+    let run = bench.run(&format!("curve scene.toml soft.toml {ask} --plot p.svg"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    assert_eq!(cells(&run.out, "scene"), [["scene.toml"; 4], ["soft.toml"; 4]].concat());
+    for (k, name) in ["scene.toml", "soft.toml"].into_iter().enumerate() {
+        let own = bench.data(&format!("curve {name} {ask}"));
+        for head in csv(&own).0 {
+            assert_eq!(cells(&run.out, head)[4 * k..4 * k + 4], cells(&own, head), "{head}");
+        }
+        let [area, whole] = [bench.scene(name).scene.nominal_area, 1.0];
+        let [each, all] = ["tangent_per_area_N_per_m3", "tangent_N_per_m"].map(|c| column(&own, c));
+        assert!(each.iter().zip(all).all(|(each, all)| (each * area / all - whole).abs() < 1e-15));
+        let films = column(&own, "film_m");
+        let at_films = bench.data(&format!("curve {name} --model ke --film {}", films[2]));
+        assert!((column(&at_films, "force_N")[0] - 1.0).abs() < 1e-8, "{at_films}");
+    }
+    let svg = bench.read("p.svg");
+    assert_eq!(svg.matches(">ke, scene: soft.toml</text>").count(), 1, "{svg}");
+    // Its head stands above the messages about each.
+    let heads: Vec<&str> = run.messages.lines().filter(|line| line.ends_with(".toml:")).collect();
+    assert_eq!(heads, ["scene.toml:", "soft.toml:"]);
+    // Columns that one of them has are blank in the other, and its values follow the scene.
+    let varied =
+        bench.data("curve soft.toml scene.toml --model ke --vary hardness=1GPa,2GPa --load 1");
+    assert_eq!(csv(&varied).0[..3], ["model", "scene", "hardness_Pa"]);
+    assert_eq!(cells(&varied, "model").len(), 4);
+    let refused = bench.run("curve scene.toml soft.toml --plan");
+    assert_eq!(refused.code, Some(2));
+}
+
 #[test]
 fn negative_numbers_follow_a_blank_or_an_equals_sign() {
     let bench = Bench::new();

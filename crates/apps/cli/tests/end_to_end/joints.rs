@@ -79,6 +79,13 @@ fn histories_turn_at_separations_and_at_loads() {
         assert!((force[last] / wanted - 1.0).abs() < 1e-8, "{number}: {}", force[last]);
     }
     assert!(run.results().len() == 1 && bench.read("h.svg").starts_with("<svg"));
+    let area = bench.scene("scene.toml").scene.nominal_area;
+    let pressures: Vec<String> =
+        [10.0, 2e3, 500.0, 3e3].iter().map(|load| (load / area).to_string()).collect();
+    let arguments =
+        format!("joint scene.toml --model ke --history-pressure {}", pressures.join(","));
+    let by_pressure = column(&bench.data(&arguments), "force_N");
+    assert!(by_pressure.iter().zip(&force).all(|(a, b)| (a / b - 1.0).abs() < 1e-8));
     // Back to the start of an elastic joint, what is in it is the work of the first closing.
     let round = bench.run("joint scene.toml --model gw --history-load 10,200,10").messages;
     let (_, first) = round.split_once("first closing takes ").unwrap();
