@@ -76,29 +76,20 @@ impl State {
         let base: Vec<f64> =
             state.shape.iter().zip(&state.deflections).map(|(a, b)| a + b).collect();
         let least = base.iter().copied().fold(f64::INFINITY, f64::min);
-        // The force falls with the offset: bisection to a part of sigma.
-        let mut force = |offset: f64| {
+        // The force falls with the offset, ever more slowly: Newton's method from nearer bodies.
+        let mut offset = -least;
+        let mut nearer = layer.sigma;
+        loop {
             state.separations.iter_mut().zip(&base).for_each(|(d, base)| *d = base + offset);
-            state.update(layer).map(|()| state.force())
-        };
-        let (mut low, mut high) = (-least, -least);
-        let mut width = layer.sigma;
-        while force(low)? < load {
-            (high, low) = (low, low - width);
-            width *= 2.0;
+            state.update(layer)?;
+            if state.force() >= load {
+                break;
+            }
+            offset -= nearer;
+            nearer *= 2.0;
         }
-        width = layer.sigma;
-        while force(high)? > load {
-            (low, high) = (high, high + width);
-            width *= 2.0;
-        }
-        while high - low > 0.05 * layer.sigma {
-            let middle = 0.5 * (low + high);
-            if force(middle)? > load { low = middle } else { high = middle }
-        }
-        state.offset = 0.5 * (low + high);
-        state.separations.iter_mut().zip(&base).for_each(|(d, base)| *d = base + state.offset);
-        state.update(layer)?;
+        state.offset = offset;
+        state.balance(layer, load)?;
         Ok(state)
     }
 
