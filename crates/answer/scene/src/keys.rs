@@ -245,7 +245,7 @@ keys! {
         body2_radius_x("m" "")
         body2_radius_y("m" "")
         length("m" ", of a line contact" form "Length" "20 mm")
-        reference_length("m" ", in the deflection of a line contact: its approach depends on it")
+        reference_length("m" ", in the deflection of a line contact: its approach depends on it" form "Reference length" "0.1 m")
     } {}
     "gap" Gap numbers GAP in Gas {
         gas_conductivity("W/(m K)" ", of the gas in the gap; air has 0.026")

@@ -85,7 +85,7 @@ pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
     };
     let area = file.scene.nominal_area;
     let of = |pressure: f64| (pressure, shown(pressure * area, "N"));
-    let pressures: Vec<_> = Span::of(&file.scene).solved().into_iter().map(of).collect();
+    let pressures: Vec<_> = Span::of(file).solved().into_iter().map(of).collect();
     Some(json!({
         "rows": rows, "columns": columns, "refused": refused, "fill": fill, "pressures": pressures,
     }))

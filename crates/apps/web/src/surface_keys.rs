@@ -64,6 +64,7 @@ pub(crate) fn form() -> Value {
     let other: Vec<_> = other.collect();
     json!({
         "area": Key::find("", "nominal_area").map(field),
+        "curvature": of(&|key| key.subject == Subject::Curvature),
         "body": of(&|key| key.subject == Subject::Body),
         "interface": of(&|key| key.subject == Subject::Interface),
         "ways": BTreeMap::from(ways),

@@ -71,7 +71,8 @@ export function fill(shown, edits, form) {
   const has = (start) => Object.keys(fields).some((path) => path.startsWith(start));
   const rigid = fields.rigid_counterface === "true";
   const sealed = has("seal.");
-  const kind = [has("interface."), rigid, way, sealed].join();
+  const curved = has("curvature.");
+  const kind = [has("interface."), rigid, way, sealed, curved].join();
   if (kind !== built) {
     built = kind;
     // Another form keeps the place of the user, and what is being typed there.
@@ -89,7 +90,10 @@ export function fill(shown, edits, form) {
       if (!rigid) bodies.append(body(2, edit, form));
     }
     const [area, ...ofArea] = form.area;
-    bodies.append(field(area, ofArea, edit));
+    const radii = form.curvature.map(([key, ...about]) => field(`curvature.${key}`, about, edit));
+    // Curved bodies have no nominal area.
+    if (!curved) bodies.append(field(area, ofArea, edit));
+    bodies.append(element("details", { id: "curved" }, element("summary", {}, "Curved bodies"), ...radii));
     const ofSurface = ([key, ...about]) => field(`surface.${key}`, about, edit);
     isAnother = false;
     const rest = way === "scan" ? [element("details", { id: "more" }, element("summary", {}, "More about the scan"), ...[...form.more, ...form.every].map(ofSurface))] : form.every.map(ofSurface);
