@@ -258,17 +258,53 @@ def test_a_scan_slips_and_sticks(tmp_path: Path, scene: asperity.Scene) -> None:
     assert {1.0, 2.0} < set(slip.states.ravel())
 
 
-def test_fluid_leaks_through_the_gap() -> None:
-    given: dict[str, Any] = {"elastic": True, "maps": False, "quantities": ["effective-medium-gap"]}
-    fluid: dict[str, Any] = {"viscosity": "1 mPa s", "pressure_drop": "1 MPa"}
-    found = asperity.bem(scan(), interface=STEEL, pressure=[1e7, 2e8], **given, **fluid)
-    x, y, flow = found["hydraulic_gap_x_m"], found["hydraulic_gap_y_m"], found["flow_x_m3_per_s"]
-    # A square scan: h^3 dp/(12 mu).
-    assert found["flow_y_m3_per_s"] == pytest.approx(y**3 * 1e6 / 12e-3)
-    assert x == pytest.approx(found["effective_medium_gap_m"], rel=0.2)
-    assert flow[1] < flow[0] and (flow > 0).all()
-    with pytest.warns(asperity.ContactWarning, match="viscosity is 46 Pa s"):
-        asperity.bem(scan(), interface=STEEL, pressure=1e7, viscosity=46, pressure_drop=1e5)
+SEAL = """
+[seal]
+width = "100 mm"
+length = "2 mm"
+upstream_pressure = "10 bar"
+downstream_pressure = "1 bar"
+"""
+
+
+def test_a_scan_leaks_through_the_seal_of_its_scene(tmp_path: Path, scene: asperity.Scene) -> None:
+    def leaking(fluid: str) -> asperity.Scene:
+        return asperity.Scene.parse(scene.to_toml() + SEAL + fluid, tmp_path)
+
+    given: dict[str, Any] = {"elastic": True, "maps": False, "pressure": [1e7, 2e8, 5e9]}
+    asked = ["effective-medium-gap", "hydraulic-gap-x", "hydraulic-gap-y", "leak"]
+    found = asperity.bem(leaking("viscosity = 1e-3"), quantities=asked, **given)
+    x, y, flow = found["hydraulic_gap_x_m"], found["hydraulic_gap_y_m"], found["leak_x_m3_per_s"]
+    # h^3 dp/(12 mu) times width over length.
+    np.testing.assert_allclose(flow, x**3 * 9e5 / 12e-3 * 50, rtol=1e-9)
+    assert x[:2] == pytest.approx(found["effective_medium_gap_m"][:2], rel=0.2)
+    assert flow[0] > flow[1] > flow[2] == y[2] == 0 and np.isnan(found["tightest_gap_x_m"][2])
+    assert any("no open path along x in 1 of 3" in text for text in found.results)
+    gas = asperity.bem(leaking('gas = "helium"'), quantities=["leak"], **given)
+    # R T times kg/s, in mbar l/s.
+    np.testing.assert_allclose(
+        gas["leak_x_mbar_l_per_s"], gas["leak_x_kg_per_s"] * 10 * 2077.26 * 293.15, rtol=1e-5
+    )
+    with pytest.raises(ValueError, match=r"seal is missing"):
+        asperity.bem(scene, quantities=["leak"], **given)
+
+
+def test_sealing_pressures_are_those_of_samples(scene: asperity.Scene) -> None:
+    found = asperity.sealing_pressure(scene, samples=3, elastic=True)
+    low, middle, high = (found[f"{which}_sealing_pressure_Pa"] for which in ("lowest", "middle", "highest"))
+    assert list(found["flow_along"]) == ["x", "y"] and (low <= middle).all() and (middle <= high).all()
+    given: dict[str, Any] = {"elastic": True, "maps": False, "quantities": ["hydraulic-gap-x"]}
+    gaps = asperity.bem(scene, pressure=[0.98 * low[0], 1.02 * high[0]], **given)["hydraulic_gap_x_m"]
+    assert gaps[0] > 0
+    # Ridges: full contact along them, at pi E a/lambda; across them no path is ever open.
+    ridges = 1e-7 * np.cos(2 * np.pi * np.arange(64) / 64) * np.ones((4, 1))
+    scan = asperity.Topography(ridges, dx=1e-6, unit="m", periodic=True)
+    found = asperity.sealing_pressure(scan, interface=STEEL, samples=2, elastic=True)
+    assert found["middle_sealing_pressure_Pa"][1] == pytest.approx(np.pi * 116e9 / 640, rel=0.02)
+    assert np.isnan(found["highest_sealing_pressure_Pa"][0])
+    assert any("along x no path is open in 2 of 2" in text for text in found.results)
+    with pytest.raises(ValueError, match="samples is 1"):
+        asperity.sealing_pressure(scene, samples=1)
 
 
 def test_what_was_solved_is_an_input_of_the_answer(scene: asperity.Scene) -> None:

@@ -64,12 +64,14 @@ pub(crate) fn form() -> Value {
     let other: Vec<_> = other.collect();
     json!({
         "area": Key::find("", "nominal_area").map(field),
+        "curvature": of(&|key| key.subject == Subject::Curvature),
         "body": of(&|key| key.subject == Subject::Body),
         "interface": of(&|key| key.subject == Subject::Interface),
         "ways": BTreeMap::from(ways),
         "other": other,
         "more": of(&is_more),
         "every": of(&|key| key.subject == Subject::Surface),
+        "seal": of(&|key| key.subject == Subject::Seal),
     })
 }
 
@@ -293,7 +295,7 @@ mod tests {
     #[test]
     fn every_number_of_the_form_has_its_unit() {
         let form = form();
-        let lists = ["body", "interface", "more", "every", "other"].map(|list| &form[list]);
+        let lists = ["body", "interface", "more", "every", "other", "seal"].map(|list| &form[list]);
         let ways = form["ways"].as_object().unwrap().values();
         let all = lists.into_iter().chain(ways).flat_map(|list| list.as_array().unwrap());
         let mut count = 0;

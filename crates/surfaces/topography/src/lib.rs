@@ -2,7 +2,6 @@
 
 mod autocorrelation;
 mod curves;
-mod despike;
 mod error;
 mod fill;
 mod filter;
@@ -21,10 +20,8 @@ mod slopes;
 mod spectrum;
 mod statistics;
 mod summits;
-mod texture;
 mod topography;
 mod unit;
-mod unusual;
 mod warning;
 mod write;
 
@@ -34,7 +31,7 @@ pub use glance::{Glance, Reported, report};
 pub use hills::Peaks;
 pub use level::Level;
 pub use material_ratio::{Functional, MaterialRatio};
-pub use moments::Moments;
+pub use moments::{Moments, Texture};
 pub use outliers::Outliers;
 pub use pair::Alignment;
 pub use parameters::Parameters;
@@ -44,6 +41,5 @@ pub use slopes::AtDistance;
 pub use spectrum::{PowerSpectrum, Spectra};
 pub use statistics::{Estimator, Statistics};
 pub use summits::{HeightDensity, Summits};
-pub use texture::Texture;
 pub use topography::{MAX_POINTS, Topography};
 pub use unit::{Distance, LengthUnit};

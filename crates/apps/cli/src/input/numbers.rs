@@ -29,11 +29,6 @@ pub fn length(text: &str) -> Result<f64, String> {
     of_unit(text, "m").and_then(positive)
 }
 
-/// A viscosity above 0, in Pa s or with its unit.
-pub fn viscosity(text: &str) -> Result<f64, String> {
-    of_unit(text, "Pa s").and_then(positive)
-}
-
 /// A finite number, plain or with its unit.
 pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
     match asperity_scene::quantity(text, si)? {

@@ -16,6 +16,27 @@ fn the_map_of_the_flow_shows_contact_and_path() {
     assert!(closed.code == Some(0) && bench.read("flow.svg").contains("no open path"));
 }
 
+#[test]
+fn a_seal_closes_between_its_lowest_and_its_highest_sealing_pressure() {
+    let bench = bench();
+    let asked = "bem seal.toml --elastic --sealing-pressure --samples 3 --picture last.svg";
+    let run = bench.run(&format!("{asked} --format csv"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let of = |which: &str| column(&run.out, &format!("{which}_sealing_pressure_Pa"));
+    let [low, middle, high] = ["lowest", "middle", "highest"].map(of);
+    assert!(low.len() == 2 && column(&run.out, "samples") == [3.0, 3.0], "{}", run.out);
+    for k in 0..2 {
+        assert!(low[k] <= middle[k] && middle[k] <= high[k] && low[k] < high[k]);
+    }
+    // The heaviest contact is open along x, y or both.
+    assert!(bench.read("last.svg").contains("the tightest gap of the widest path"));
+    // The scan is one of the samples.
+    let ends = format!("{},{}", 0.98 * low[0], 1.02 * high[0]);
+    let asked = format!("bem seal.toml --elastic --pressure {ends} --quantity leak --format csv");
+    let flows = column(&bench.data(&asked), "leak_x_kg_per_s");
+    assert!(flows[0] > 0.0 && flows[1] == 0.0, "{flows:?}");
+}
+
 /// The commands beside the picture of the guide make it; single pixels may have other shades
 /// on another machine.
 #[test]
