@@ -35,8 +35,8 @@ pub(crate) fn numbers(file: &SceneFile) -> Result<Value, Refusal> {
     Ok(json!({ "numbers": numbers, "shape": shape }))
 }
 
-/// The pictures of heights \[m\] and of their material ratio curve, a caption, and slopes at several distances: as the scan of a
-/// scene has them, without reading its file again.
+/// The pictures of heights \[m\] and of their material ratio curve, a caption, and slopes at
+/// several distances: as the scan of a scene has them, without reading its file again.
 pub(crate) fn report(heights: Vec<f64>, shape: Shape) -> Result<Value, Refusal> {
     let Shape { columns, pixel_size, periodic } = shape;
     let scan = Topography::new(heights, columns, pixel_size)?.with_periodic(periodic);
@@ -52,9 +52,11 @@ pub(crate) fn report(heights: Vec<f64>, shape: Shape) -> Result<Value, Refusal> 
         ]
     };
     let rows: Vec<_> = scan.scale_dependence().iter().map(row).collect();
+    let (ratio, profile) = (scan.material_ratio()?, scan.is_profile());
+    let curve = draw_material_ratio(&ratio, profile, "material ratio curve")?;
     Ok(json!({
         "svg": draw_surface(&scan, &glance, None)?,
-        "curve": draw_material_ratio(&scan.material_ratio()?, scan.is_profile(), "material ratio curve")?,
+        "curve": curve,
         "caption": caption_of_surface(&scan, &glance),
         "scales": { "head": SCALES, "rows": rows },
     }))

@@ -2,6 +2,7 @@
 
 mod autocorrelation;
 mod curves;
+mod despike;
 mod error;
 mod fill;
 mod filter;
@@ -42,4 +43,5 @@ pub use spectrum::{PowerSpectrum, Spectra};
 pub use statistics::{Estimator, Statistics};
 pub use summits::{HeightDensity, Summits};
 pub use topography::{MAX_POINTS, Topography};
+pub(crate) use unit::Given;
 pub use unit::{Distance, LengthUnit};

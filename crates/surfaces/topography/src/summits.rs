@@ -58,7 +58,8 @@ impl Topography {
     /// order. The least-squares quadric through the nine points has its top within one point of
     /// them along rows and columns: a ridge askew to the rows has more points above their
     /// neighbours than summits. The curvature is that of the quadric: for asperities of few points,
-    /// it is smaller than the second difference of [`Topography::moments`]. Points at the edge or next to a missing one are not searched.
+    /// it is smaller than the second difference of [`Topography::moments`]. Points at the edge or
+    /// next to a missing one are not searched.
     ///
     /// # Errors
     /// [`TopographyError::SummitsOfProfile`] for a profile.

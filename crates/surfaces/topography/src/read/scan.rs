@@ -7,8 +7,7 @@ use serde::{Deserialize, Deserializer};
 
 use crate::error::{at_most, excerpt, out_of_range, refuse, undecided, unknown_name};
 use crate::topography::extremes;
-use crate::unit::Given;
-use crate::{Distance, LengthUnit, MAX_POINTS, Topography, TopographyError};
+use crate::{Distance, Given, LengthUnit, MAX_POINTS, Topography, TopographyError};
 
 /// Smaller pixels \[m\] are refused: no instrument resolves them.
 const ATOM: f64 = 1e-11;

@@ -173,11 +173,11 @@ proptest! {
 #[test]
 fn a_mark_anywhere_keeps_the_size_or_is_refused() {
     let row = |row: &[f64]| row.iter().map(|z| format!("{z:.2}")).collect::<Vec<_>>();
-    for delimiter in [" ", "\t", ",", ";"] {
+    for delimiter in [" ", ","] {
         let rows: Vec<_> = waves(5).chunks(5).map(|line| row(line).join(delimiter)).collect();
         let good = rows.join("\n");
         for (at, mark) in
-            (0..good.len()).flat_map(|at| "\"';,:=\t\n -.ex_[(|".bytes().map(move |m| (at, m)))
+            (0..good.len()).flat_map(|at| "\"',;\t\n .-ex".bytes().map(move |m| (at, m)))
         {
             for (removed, added) in [(1, 1), (0, 1), (1, 2), (0, 2)] {
                 let mut bytes = good.clone().into_bytes();

@@ -6,8 +6,8 @@ use asperity_topography::{Estimator, Level, Topography};
 
 const SIDE: usize = 160;
 
-/// A disc of a surface of 30 waves, turned by an angle about its middle; slopes along its lay, which
-/// is along columns, are smaller by the factor `ratio`. Turned, the same part is measured.
+/// A disc of a surface of 30 waves, turned by an angle about its middle; slopes along its lay,
+/// which is along columns, are smaller by the factor `ratio`. Turned, the same part is measured.
 fn disc(ratio: f64, degrees: f64) -> Topography {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let wave = |k: i32| {
