@@ -1,7 +1,7 @@
 //! `bem`: hydraulic gaps, flows and their map.
 
 use crate::bem::bench;
-use crate::bench::Bench;
+use crate::bench::{Bench, column};
 
 #[test]
 fn the_map_of_the_flow_shows_contact_and_path() {
