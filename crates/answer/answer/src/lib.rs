@@ -28,7 +28,7 @@ mod unloading_scan;
 mod watch;
 
 pub use answer::{Answer, Basis, basis, lines, solve, title};
-pub use asked::{Asked, Line};
+pub use asked::{Asked, Line, NO_EVIDENCE};
 pub use bem::{Press, Pressed, half_grid};
 pub use blanks::Blanks;
 pub use check::check_sheet;

@@ -15,7 +15,9 @@ const STIFFNESSES: [Quantity; 3] =
 /// the middle of the ranges and at [points](SceneFile::points) of them; each answer, and each place
 /// that differs there, gets the smallest and the largest of these as columns with `_lower` and
 /// `_upper`, and is blank if it is missing at a point. The ends of an interval that an answer has
-/// already are the smallest and the largest of the points. Results say which unknown makes the
+/// already are the smallest and the largest of the points. Curved bodies are solved at the first
+/// eight points between the combinations of ends, and at the others where a number there exceeds
+/// those of the ends. Results say which unknown makes the
 /// ranges wide.
 ///
 /// # Errors
@@ -39,12 +41,34 @@ pub fn with_ranges<T, E: From<AnswerError> + Send>(
         }
         Ok(at_point)
     };
-    let sheets = map_runs(&points.all, 1, |one| one.iter().map(filled).collect());
-    let sheets = sheets.into_iter().collect::<Result<_, E>>()?;
+    let fill_all = |points: &[SceneFile]| {
+        let sheets = map_runs(points, 1, |one| one.iter().map(filled).collect());
+        sheets.into_iter().collect::<Result<Vec<Sheet>, E>>()
+    };
+    // Each point of curved bodies is a solution.
+    let corners = points.corners().count();
+    let few = if file.shape().is_some() { corners + FEW } else { points.all.len() };
+    let mut sheets = fill_all(&points.all[..few])?;
+    if few < points.all.len() && !are_between(&sheets[..corners], &sheets[corners..]) {
+        sheets.extend(fill_all(&points.all[few..])?);
+    }
     let ends = Ends { file, points, sheets };
     ends.add_findings(sheet);
     ends.add_columns(sheet);
     Ok(found)
+}
+
+/// Whether all numbers of some sheets lie between those of others, but for errors of solutions.
+fn are_between(outer: &[Sheet], inner: &[Sheet]) -> bool {
+    let cells = |sheet: &Sheet| sheet.rows.concat();
+    let outer: Vec<Vec<Cell>> = outer.iter().map(cells).collect();
+    let is_between = |(k, cell): (usize, &Cell)| {
+        let ends: Vec<f64> = outer.iter().filter_map(|cells| cells[k].number()).collect();
+        let error = FLAT * least(&ends).abs().max(most(&ends).abs());
+        let is_within = |x| (least(&ends) - error..=most(&ends) + error).contains(&x);
+        cell.number().is_none_or(is_within)
+    };
+    inner.iter().all(|sheet| cells(sheet).iter().enumerate().all(is_between))
 }
 
 /// The sheets at the points of the ranges.
@@ -204,6 +228,10 @@ impl Ends<'_> {
 
 /// Ends of the names of columns about models, beside the columns of quantities.
 const ANSWERS: [&str; 1] = ["_deviation"];
+/// The number of points between the combinations of ends at which curved bodies are solved first,
+/// and how far numbers there may exceed those of the ends.
+const FEW: usize = 8;
+const FLAT: f64 = 1e-5;
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
 /// Why a number has no value where it is missing at an end.

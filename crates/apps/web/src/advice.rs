@@ -1,7 +1,7 @@
 //! The answer at a load as the page shows it, with what stands behind it.
 
 use asperity::{At, Best, BestContact, Code, Compared, Described, Model};
-use asperity_answer::{Basis, basis};
+use asperity_answer::{Basis, NO_EVIDENCE, basis};
 use asperity_scene::{SceneFile, Unknown};
 use serde_json::{Value, json};
 
@@ -14,6 +14,8 @@ use crate::span::Load;
 /// the answer in the first two, area and stiffness.
 const FIRST: [(&str, Compared); 3] =
     [("%", Compared::Area), ("N/m", Compared::Stiffness), ("N/m", Compared::UnloadingStiffness)];
+/// The column of the peak pressure of curved bodies, which stands for the plasticity index.
+const PEAK: usize = 4;
 /// The model that is the answer.
 pub(crate) const BEST: &str = Best::<Model>::ID;
 
@@ -64,6 +66,7 @@ pub(crate) fn answer(
         true => "contacts yield",
         false => "hardly any contact yields",
     };
+    let is_flat = file.shape().is_none();
     let of_index = Column::new(["plasticity_index", "", "plasticity index"], String::new());
     let first = FIRST.iter().zip(&columns[1..]).enumerate().map(|(k, ((unit, of), column))| {
         let by = match row.value(k + 1).map(|known| known.source) {
@@ -71,9 +74,13 @@ pub(crate) fn answer(
             Some(Source::Solved) => "on this scan".into(),
             _ => String::new(),
         };
+        let unit = if is_flat { unit } else { column.unit };
         part([of.label(), unit], column, row.value(k + 1).copied(), by)
     });
-    let index = part([of_index.label, ""], &of_index, index, yields.into());
+    let index = match columns.get(PEAK).filter(|_| !is_flat) {
+        Some(peak) => part([peak.label, peak.unit], peak, row.value(PEAK).copied(), "".into()),
+        None => part([of_index.label, ""], &of_index, index, yields.into()),
+    };
     let first: Vec<Value> = first.chain([index]).collect();
     let text = |value: &Value| value.as_str().unwrap_or_default().to_string();
     let said = first.iter().map(|part| {
@@ -94,8 +101,13 @@ pub(crate) fn answer(
         [] => String::new(),
         spreads => format!("; wide by {}", spreads.join(", ")),
     };
-    let (models, behind) =
+    let (models, mut behind) =
         contact.map_or_else(Default::default, |contact| by(contact, scenes, load.at));
+    let usual = asperity::usual_reference(&file.scene);
+    if !is_flat {
+        behind.by = format!("{usual}, {NO_EVIDENCE}");
+    }
+    let models = if is_flat { models } else { usual.into() };
     json!({
         "source": row.value(1).map(|known| known.source),
         "first": first,
@@ -323,27 +335,5 @@ mod tests {
         }
         assert!(found["answer"]["spoken"].as_str().unwrap().contains(" to "));
         assert_eq!(found["rows"][1]["model"], "ke");
-    }
-
-    #[test]
-    fn curves_have_their_ends_and_tables_are_those_of_the_middle() {
-        let mut desk = Desk::default();
-        let shown = call(&mut desk, json!({ "call": "show", "text": GROUND }));
-        let curves = call(&mut desk, json!({ "call": "curve", "models": ["ke"] }));
-        let rows = curves["ke"].as_str().unwrap();
-        let head = shown["head"].as_str().unwrap();
-        let of = |name: &str| -> Vec<f64> {
-            let place = head.split(',').position(|known| known == name).unwrap();
-            rows.lines().map(|line| line.split(',').nth(place).unwrap().parse().unwrap()).collect()
-        };
-        let [own, lower, upper] =
-            ["area_fraction", "area_fraction_lower", "area_fraction_upper"].map(of);
-        assert_eq!((own.len(), lower.len(), upper.len()), (200, 200, 200));
-        assert!((0..200).all(|k| lower[k] <= own[k] && own[k] <= upper[k]));
-        let load = json!({ "text": "1 MPa" });
-        let drawn = json!({ "call": "draw", "rows": [rows], "view": "tangent", "load": load, "solved": [] });
-        assert!(call(&mut desk, drawn).as_str().unwrap().starts_with("<svg"));
-        let export = json!({ "call": "export", "model": "ke", "form": "csv", "units": "SI" });
-        assert!(call(&mut desk, export)["text"].is_string());
     }
 }

@@ -64,6 +64,7 @@ pub(crate) fn form() -> Value {
     let other: Vec<_> = other.collect();
     json!({
         "area": Key::find("", "nominal_area").map(field),
+        "curvature": of(&|key| key.subject == Subject::Curvature),
         "body": of(&|key| key.subject == Subject::Body),
         "interface": of(&|key| key.subject == Subject::Interface),
         "ways": BTreeMap::from(ways),
@@ -224,48 +225,29 @@ mod tests {
 
     #[test]
     fn a_surface_is_the_same_in_every_way() {
-        let text = include_str!("../../../answer/scene/examples/ground-steel.toml");
-        let folder = std::path::Path::new(".");
-        let file = asperity_scene::parse(text, folder).unwrap();
-        assert_eq!(way(&fields(text)), "moments");
-        for (name, _) in &WAYS[2..] {
-            let edited = described(text, name, &file).unwrap();
-            assert_eq!(way(&fields(&edited)), *name);
-            let found = asperity_scene::parse(&edited, folder).unwrap().scene.surface;
-            let wanted = file.scene.surface;
-            let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 5e-5, "{name}: {a} {b}");
-            near(found.asperity_radius, wanted.asperity_radius);
-            near(found.asperity_density, wanted.asperity_density);
-            near(found.asperity_height_std, wanted.asperity_height_std);
-        }
-        let found = fields(&with_scan(text, "a \"b\".x3p").unwrap());
-        assert_eq!((way(&found), found["surface.file"].as_str()), ("scan", "a \"b\".x3p"));
-        assert!(!found.contains_key("surface.m0") && !found.contains_key("surface.periodic"));
-        for way in ["scan", "x"] {
-            assert!(described(text, way, &file).is_err());
-        }
-    }
-
-    #[test]
-    fn a_surface_given_by_its_slope_can_be_described_otherwise() {
-        let folder = Path::new(".");
-        let template = asperity_scene::template();
-        let (head, _) = template.split_once("\n[surface]").unwrap();
-        for surface in [
+        let ground = include_str!("../../../answer/scene/examples/ground-steel.toml");
+        let (head, _) = asperity_scene::template().split_once("\n[surface]").unwrap();
+        let by_slope = [
             "sq = 1.1e-6\nspd = 2e8\nsdq = 0.058",
             "surface_height_std = 1.1e-6\nasperity_density = 2e8\nmean_slope = 0.03",
-        ] {
-            let text = format!("{head}\n[surface]\n{surface}\n");
-            let file = asperity_scene::parse(&text, folder).unwrap();
+        ];
+        let texts = by_slope.map(|surface| format!("{head}\n[surface]\n{surface}\n"));
+        for text in [ground, &texts[0], &texts[1]] {
+            let file = parse(text);
             for (name, _) in &WAYS[2..] {
-                let edited = described(&text, name, &file).unwrap();
+                let edited = described(text, name, &file).unwrap();
                 assert_eq!(way(&fields(&edited)), *name);
-                let found = asperity_scene::parse(&edited, folder).unwrap().scene.surface;
-                let ratio = found.asperity_radius / file.scene.surface.asperity_radius;
-                assert!((ratio - 1.0).abs() < 5e-5, "{surface}, {name}: {ratio}");
+                let [found, wanted] = [parse(&edited), file.clone()].map(|f| f.scene.surface);
+                let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 5e-5, "{name}: {a} {b}");
+                near(found.asperity_radius, wanted.asperity_radius);
+                near(found.asperity_density, wanted.asperity_density);
+                near(found.asperity_height_std, wanted.asperity_height_std);
             }
-            let scan = fields(&with_scan(&text, "a.x3p").unwrap());
-            assert!(!scan.contains_key("surface.sdq") && !scan.contains_key("surface.mean_slope"));
+            let scan = fields(&with_scan(text, "a \"b\".x3p").unwrap());
+            assert_eq!((way(&scan), scan["surface.file"].as_str()), ("scan", "a \"b\".x3p"));
+            let of_others = ["m0", "periodic", "sdq", "mean_slope"];
+            assert!(of_others.iter().all(|key| !scan.contains_key(&format!("surface.{key}"))));
+            assert!(["scan", "x"].iter().all(|way| described(text, way, &file).is_err()));
         }
     }
 

@@ -44,7 +44,7 @@ fn text(
     format: TableFormat,
     units: UnitSystem,
 ) -> Result<String, Refusal> {
-    let (model, span) = (file.model(id)?, Span::of(&file.scene));
+    let (model, span) = (file.model(id)?, Span::of(file));
     let ends = [0.2, 1.0].map(|position| At::Pressure(span.pressure(position)));
     let subject =
         Subject { file, name: "", id: "", model: &model, tolerance: Tolerance::default() };

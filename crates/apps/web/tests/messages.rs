@@ -133,6 +133,10 @@ fn messages() {
     }
     heard.show("Ra alone", GROUND);
     heard.answer("100 N");
+    let area = template.lines().find(|line| line.starts_with("nominal_area")).unwrap();
+    heard.show("a ball", &(template.replace(area, "") + "\n[curvature]\nradius = \"10 mm\"\n"));
+    heard.answer("50 N");
+    heard.answer("5 MPa");
     let adhesive = include_str!("../../../answer/scene/examples/elastomer-on-glass.toml");
     heard.show("adhesion", &adhesive.replace("rigid_", "work_of_adhesion = 0.05\nrigid_"));
     heard.answer("-1 N");

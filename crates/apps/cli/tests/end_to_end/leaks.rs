@@ -1,27 +1,7 @@
 //! `bem`: hydraulic gaps, flows and their map.
 
 use crate::bem::bench;
-use crate::bench::{Bench, column, csv};
-
-#[test]
-fn a_liquid_leaks_by_the_hydraulic_gap_until_the_contact_seals() {
-    let bench = bench();
-    let liquid = bench.read("seal.toml").replace("gas = \"helium\"", "viscosity = \"1 mPa s\"");
-    bench.write("seal.toml", &liquid);
-    let asked = "bem seal.toml --elastic --pressure 1e8,4e10 --quantity hydraulic-gap-x,leak";
-    let run = bench.run(&format!("{asked} --format csv"));
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    let of = |name: &str| column(&run.out, name);
-    let (gaps, flows) = (of("hydraulic_gap_x_m"), of("leak_x_m3_per_s"));
-    // h³ Δp/(12 μ) times width over length.
-    assert!((flows[0] / (gaps[0].powi(3) * 9e5 / 12e-3 * 50.0) - 1.0).abs() < 1e-12, "{flows:?}");
-    assert!(gaps[0] > 0.2 * of("mean_gap_m")[0]);
-    // Sealed.
-    assert!([gaps[1], flows[1], of("leak_y_m3_per_s")[1]].iter().all(|none| *none == 0.0));
-    // Unasked, there are none.
-    let bare = bench.data("bem seal.toml --pressure 1e8 --format csv");
-    assert!(csv(&bare).0.iter().all(|head| !head.contains("leak") && !head.contains("hydraulic")));
-}
+use crate::bench::{Bench, column};
 
 #[test]
 fn the_map_of_the_flow_shows_contact_and_path() {
