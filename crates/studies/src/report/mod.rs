@@ -1,9 +1,9 @@
 //! `cargo xtask report`: speed and accuracy of the integrals, compared with other methods.
 //!
 //! Times, errors and numbers of evaluations of every method on the same points, in one process and
-//! one run: `speed-vs-error.{csv,md}`; the failures of each method: `hard-cases.csv`; and contacts of
-//! rough spheres: `speed-curved.md`.
-//! Errors and counts are reproducible and guarded by tests; times are not.
+//! one run: `speed-vs-error.{csv,md}`; the failures of each method: `hard-cases.csv`; and
+//! contacts of rough spheres: `speed-curved.md`. Errors and counts are reproducible and guarded
+//! by tests; times are not.
 
 mod cases;
 mod curved;

@@ -155,8 +155,8 @@ impl Curved {
     /// default tolerance is asked for, as finer ones take longer here.
     ///
     /// # Errors
-    /// Radii and lengths that are not above 0, a tolerance below 1e-8 other than the default, models
-    /// with adhesion, and the errors of the model.
+    /// Radii and lengths that are not above 0, a tolerance below 1e-8 other than the default,
+    /// models with adhesion, and the errors of the model.
     pub fn new(
         model: &dyn ContactModel,
         scene: &Scene,
