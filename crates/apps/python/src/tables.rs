@@ -16,7 +16,7 @@ use crate::scene::SceneFile;
 
 /// Clearances [m], pressures [Pa] and tangents [Pa/m], the relative errors of pressure and tangent
 /// between the nodes, and the text.
-type Nodes<'py> = (Bound<'py, PyDict>, f64, f64, String);
+type Contact<'py> = (Bound<'py, PyDict>, f64, f64, String);
 /// Columns by their heads, findings, and results in sentences: the package's `Table`.
 pub(crate) type Table<'py> = (Bound<'py, PyDict>, Object<'py>, Vec<String>);
 
@@ -57,7 +57,7 @@ pub(crate) fn contact_table<'py>(
     spacing: (usize, Option<f64>, f64),
     form: (&str, &str),
     beside: (Option<String>, Option<f64>),
-) -> PyResult<Nodes<'py>> {
+) -> PyResult<Contact<'py>> {
     let (model, file) = (engine.on(&scene.0)?, &scene.0);
     let format = form.0.parse::<TableFormat>();
     let format =
