@@ -71,7 +71,17 @@ impl SceneFile {
             let found = SEAL.iter().filter_map(|field| unusual(field.name, value(field)?));
             found.map(|found| found.within("seal")).collect::<Vec<_>>()
         });
-        let found = found.into_iter().chain(self.of_bodies()).chain(of_pair).chain(of_seal);
+        let of_gap = self.spec.gas.iter().flat_map(|gas| {
+            let found = [
+                unusual("gas_conductivity", gas.gas_conductivity),
+                unusual("gas_parameter", gas.gas_parameter),
+            ];
+            found.into_iter().flatten().map(|found| found.within("gap"))
+        });
+        let offset = self.spec.surface.mean_plane_offset;
+        let of_offset = offset.and_then(|offset| unusual("mean_plane_offset", offset));
+        let found = found.into_iter().chain(of_offset).chain(of_gap);
+        let found = found.chain(self.of_bodies()).chain(of_pair).chain(of_seal);
         let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
         let found = self.accepted(found).into_iter();
         let found = found.filter(|found| !self.warnings.contains(found));

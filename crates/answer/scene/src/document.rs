@@ -51,6 +51,13 @@ pub(crate) struct Document<'a> {
     values: BTreeMap<String, Range<usize>>,
 }
 
+/// Whether the number of a key may be known within a range.
+fn may_have_range(path: &str) -> bool {
+    let (section, name) = section_and_name(path);
+    let is_listed = |key: &Key| matches!(key.subject, Subject::Scan | Subject::Options);
+    name == "skewness" || Key::find(section, name).is_some_and(|key| !is_listed(key))
+}
+
 impl<'a> Document<'a> {
     /// The keys of a text, with its numbers in SI units.
     pub(crate) fn new(
@@ -147,13 +154,10 @@ impl<'a> Document<'a> {
 
     /// The middle of the range of a number that is written as two values; keeps the ends.
     fn range(&mut self, path: &str, items: &[Value]) -> Option<Value> {
-        let (section, name) = section_and_name(path);
         let number = |item: &Value| item.as_float().or_else(|| item.clone().try_into().ok());
-        let is_listed = |key: &Key| matches!(key.subject, Subject::Scan | Subject::Options);
-        let is_number = Key::find(section, name).is_some_and(|key| !is_listed(key));
         let [one, other] = items else { return None };
         let [one, other] = [number(one)?, number(other)?];
-        if !is_number && name != "skewness" {
+        if !may_have_range(path) {
             return None;
         }
         // One that is no number stays, to be refused.

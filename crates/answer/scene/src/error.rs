@@ -173,7 +173,9 @@ impl SceneError {
 
     /// An error for a value, with the value needed instead.
     pub(crate) fn value(at: Box<Place>, found: impl fmt::Debug, needed: &str) -> Self {
-        let (found, needed) = (format!("{found:?}"), needed.into());
+        let found = format!("{found:?}");
+        let found = found.parse().map_or(found, asperity::written);
+        let needed = needed.into();
         Self::Value { at, found, near: None, needed }
     }
 

@@ -117,7 +117,8 @@ pub fn materials_like(word: &str) -> Vec<&'static Material> {
     let kind = |id: &'static str| id.split('-').next().unwrap_or(id);
     let contains = |material: &Material| {
         let names = material.also.iter().chain([&material.id, &material.name]);
-        names.into_iter().any(|name| name.to_lowercase().contains(&word))
+        let is_named = |part: &str| names.clone().any(|name| name.to_lowercase().contains(part));
+        word.split([' ', '-', '/']).filter(|part| !part.is_empty()).all(is_named)
     };
     let found: Vec<_> = materials().iter().filter(|material| contains(material)).collect();
     if !found.is_empty() {
@@ -155,6 +156,9 @@ mod tests {
         assert!(ids("steel").len() > 8 && ids("steel").contains(&"stainless-304"));
         assert_eq!(ids("Aluminum 6061"), ids("aluminium"));
         assert_eq!(ids("silicon"), ["silicon"]);
+        // Words in any order, of which the list has others between them.
+        assert_eq!(ids("alu 6082"), ["aluminium-6082-t6"]);
+        assert_eq!(ids("steel-42CrMo4"), ["steel-42crmo4-qt"]);
         assert!(ids("unobtainium").is_empty());
         assert_eq!(suggestion("steel-a63").0, Some("steel-a36"));
         let (near, needed) = suggestion("aluminum");

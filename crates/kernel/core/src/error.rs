@@ -3,7 +3,7 @@
 use asperity_quadrature::QuadratureError;
 use serde::Serialize;
 
-use crate::{At, Quantity, Separation, nearest_hint, short};
+use crate::{At, Quantity, Separation, nearest_hint, short, written};
 
 /// Why a contact problem was refused or could not be answered.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
@@ -11,7 +11,7 @@ use crate::{At, Quantity, Separation, nearest_hint, short};
 #[non_exhaustive]
 pub enum ContactError {
     /// An input lies outside its range.
-    #[error("{field} is {value:?}: {required} was required")]
+    #[error("{field} is {}: {required} was required", written(*.value))]
     OutOfRange {
         /// Name of the input, as in the struct or the scene file.
         field: &'static str,
@@ -21,7 +21,7 @@ pub enum ContactError {
         required: &'static str,
     },
     /// A number in a table lies outside its range.
-    #[error("row {row}: {field} is {value:?}: {required} was required")]
+    #[error("row {row}: {field} is {}: {required} was required", written(*.value))]
     InTable {
         /// The row, counted from 1.
         row: usize,
@@ -150,7 +150,7 @@ pub enum ContactError {
         ratio: f64,
     },
     /// No separation carries this load or holds this tension.
-    #[error("load is {load:?} N{}", reach(*.load, *.largest, *.at))]
+    #[error("load is {} N{}", written(*.load), reach(*.load, *.largest, *.at))]
     OutOfReach {
         /// The load asked for \[N\].
         load: f64,
@@ -171,7 +171,8 @@ pub enum ContactError {
     },
     /// A load so light that it is carried beyond the largest separation: heights with a heavy tail.
     #[error(
-        "load is {load:?} N: at least {} N, the force at the largest separation ({}), was required",
+        "load is {} N: at least {} N, the force at the largest separation ({}), was required",
+        written(*.load),
         short(*.smallest),
         .at.rounded()
     )]
@@ -216,7 +217,7 @@ fn in_sigmas(separation: &Separation, over_sigma: f64) -> String {
     if *separation == Separation::sigmas(separation.value) || over_sigma.is_nan() {
         return String::new();
     }
-    format!(" ({over_sigma:?} asperity_height_std)")
+    format!(" ({} asperity_height_std)", written(over_sigma))
 }
 
 /// `value` if it is finite and positive.

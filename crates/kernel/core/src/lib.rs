@@ -67,6 +67,6 @@ pub use scene::material::{Body, HARDNESS_OVER_YIELD, Interface, MaterialNumber};
 pub use scene::pair::{Pair, RoughSurface};
 pub use scene::surface::{ProfileMoments, Surface};
 pub use scene::{ATOMIC_DISTANCE, Scene};
-pub use text::{nearest_hint, nearest_name, short, shortest_digits};
+pub use text::{nearest_hint, nearest_name, short, shortest_digits, written};
 #[doc(hidden)]
 pub use units::{OTHER_UNITS, UNITS, Units, plain_unit, units_of};

@@ -46,14 +46,25 @@ pub fn shortest_digits(x: f64) -> String {
     if short == "-0" { "0".into() } else { short.into() }
 }
 
+/// A number with all its digits as people write it: `0.9`, `1e9`, `2.15e-7`.
+///
+/// ```
+/// assert_eq!([1e9, -0.5, 2.15e-7, 123.0].map(asperity_core::written), ["1e9", "-0.5", "2.15e-7", "123"]);
+/// ```
+#[must_use]
+pub fn written(x: f64) -> String {
+    match x.abs() {
+        size if size != 0.0 && !(1e-3..1e5).contains(&size) => format!("{x:e}"),
+        _ => format!("{x}"),
+    }
+}
+
 /// A number with four digits for messages, without an exponent from 1e-3 to 1e5.
 #[must_use]
 pub fn short(x: f64) -> String {
-    let four: f64 = format!("{x:.3e}").parse().unwrap_or(x);
-    match four.abs() {
+    match format!("{x:.3e}").parse().unwrap_or(x) {
         0.0 => "0".into(),
-        size if (1e-3..1e5).contains(&size) => format!("{four}"),
-        _ => format!("{four:e}"),
+        four => written(four),
     }
 }
 

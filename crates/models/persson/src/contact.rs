@@ -313,7 +313,7 @@ mod tests {
         // g = 0.02, E = 2e6 Pa.
         let load = |over: f64| over * 4e4 * scene.nominal_area;
         let closed = contact.separation(At::Load(load(20.0))).unwrap_err().to_string();
-        assert!(closed.starts_with("load is 24.0"), "{closed}");
+        assert!(closed.starts_with("load is 24"), "{closed}");
         // The load follows back from the gap.
         let last = contact.separation(At::Load(load(17.0))).unwrap();
         let force = contact.evaluate(Quantity::Force, last).unwrap().value();

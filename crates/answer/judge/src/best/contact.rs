@@ -337,6 +337,7 @@ impl<M: Answering> ContactEngine for BestContact<M> {
                 let fact = "the load is below the lightest solved one, whose ratios to the nearest model are kept";
                 add(note(Code::Extrapolated, "load").fact(fact));
             }
+            let mut kept: Option<(String, Vec<&str>)> = None;
             for of in behind.clone() {
                 let (field, reason) = self.why(of, at);
                 match self.known(of, at) {
@@ -346,12 +347,18 @@ impl<M: Answering> ContactEngine for BestContact<M> {
                         outside.into_iter().for_each(|outside| add(*outside));
                     }
                     Ok(Known { source: Source::Evidence, ends: None, .. }) => {
-                        let kept = "its ratio to the nearest model is kept, without an interval";
-                        let fact = format!("{}: {reason}; {kept}", of.label());
-                        add(note(Code::Extrapolated, of.name()).fact(fact));
+                        let (_, labels) = kept.get_or_insert_with(|| (reason, vec![]));
+                        if !labels.contains(&of.label()) {
+                            labels.push(of.label());
+                        }
                     }
                     _ => {}
                 }
+            }
+            if let Some((reason, labels)) = kept {
+                let fact = "the ratio to the nearest model is kept, without an interval";
+                let fact = format!("{}: {reason}; {fact}", labels.join(", "));
+                add(note(Code::Extrapolated, "pressure").fact(fact));
             }
         }
         found

@@ -14,7 +14,7 @@ const RARE: [&str; 4] = ["bar", "cm", "kPa", "pm"];
 type Usual = (&'static [&'static str], [f64; 2], f64, &'static str);
 
 /// From elastomers to diamond; asperities from atomic corrugation to the stones of asphalt.
-const USUAL: [Usual; 23] = [
+const USUAL: [Usual; 26] = [
     (&["youngs_modulus", "equivalent_modulus"], [1e6, 2e12], 1e11, "Pa"),
     (&["equivalent_shear_modulus"], [3e5, 1e12], 3e10, "Pa"),
     (&["hardness"], [1e5, 1.5e11], 3e9, "Pa"),
@@ -43,6 +43,10 @@ const USUAL: [Usual; 23] = [
     (&["m0"], [1e-21, 4e-6], 1e-12, "m2"),
     (&["m4"], [100.0, 1e17], 5e4, "1/m2"),
     (&["sdq", "mean_slope", "rms_gradient", "height_std_over_radius"], [0.0, 1.0], 0.1, ""),
+    (&["mean_plane_offset"], [-2e-3, 2e-3], 1e-6, "m"),
+    // Of gases and liquids; the jump distance is that of air at 1e-4 bar at most.
+    (&["gas_conductivity"], [1e-3, 100.0], 0.03, "W/(m K)"),
+    (&["gas_parameter"], [0.0, 5e-3], 4e-7, "m"),
     // Of seals, from instruments to long flanges.
     (&["width", "length", "perimeter"], [1e-5, 100.0], 0.01, "m"),
     (&["upstream_pressure"], [100.0, 1e9], 1e6, "Pa"),

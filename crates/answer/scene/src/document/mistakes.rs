@@ -19,6 +19,9 @@ impl Document<'_> {
         let found = shorten(found).replace(char::is_control, " ");
         let expected = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
         let needed = match expected {
+            "f64" if found.starts_with('[') && super::may_have_range(path) => {
+                format!("a number, or two as the ends of a range ({meaning}),")
+            }
             "f64" => format!("a number ({meaning})"),
             "a boolean" => "true or false".into(),
             "a sequence" if path == "body" => {

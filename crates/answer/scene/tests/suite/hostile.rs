@@ -84,3 +84,26 @@ proptest! {
         prop_assert_eq!(again.points(), table.points());
     }
 }
+
+#[test]
+fn sizes_off_by_a_million_have_one_finding_each() {
+    const JOINT: &str = include_str!("../../examples/bolted-joint.toml");
+    let surface = "asperity_height_std = 2e-6";
+    for (field, text) in [
+        (
+            "gap.gas_conductivity",
+            "[gap]\ngas_conductivity = 26000\ngas_parameter = 3.7e-7\n".into(),
+        ),
+        ("gap.gas_parameter", "[gap]\ngas_conductivity = 0.026\ngas_parameter = 0.37\n".into()),
+        ("mean_plane_offset", format!("{surface}\nmean_plane_offset = 2.5")),
+    ] {
+        let text = match field.starts_with("gap") {
+            true => format!("{JOINT}\n{text}"),
+            false => JOINT.replace(surface, &text),
+        };
+        let file = asperity_scene::parse(&text, std::path::Path::new(".")).unwrap();
+        let found: Vec<_> = file.findings().into_iter().collect();
+        assert!(found.len() == 1 && found[0].is_implausible(), "{field}: {found:?}");
+        assert_eq!(found[0].field, field);
+    }
+}

@@ -27,7 +27,7 @@ const POINTS: [usize; 2] = [101, 21];
 /// A joint that opens, follows a history of loads or, with --friction, slips
 #[derive(Debug, Args)]
 #[command(
-    mut_arg("format", |arg| arg.default_value("csv")),
+    mut_arg("format", |arg| arg.default_value("auto")),
     after_help = include_str!("../help/joint.txt")
 )]
 pub struct Joint {

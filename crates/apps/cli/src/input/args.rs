@@ -1,5 +1,6 @@
 //! Arguments that several commands share: parsing and defaults only.
 
+use std::io::IsTerminal;
 use std::path::PathBuf;
 
 use anyhow::Result;
@@ -235,6 +236,10 @@ impl OutputArgs {
         match named.map(str::to_lowercase).as_deref() {
             Some("json") => Format::Json,
             Some("csv") => Format::Csv,
+            _ if self.format == Format::Auto => {
+                let is_shown = self.output.is_none() && std::io::stdout().is_terminal();
+                if is_shown { Format::Table } else { Format::Csv }
+            }
             _ => self.format,
         }
     }

@@ -18,6 +18,8 @@ pub enum Format {
     Json,
     /// Aligned columns with six digits.
     Table,
+    /// A table on a terminal, csv in a file or a pipe.
+    Auto,
     /// The texts of the first column, of a list of BibTeX entries.
     #[value(skip)]
     Bibtex,
@@ -26,7 +28,7 @@ pub enum Format {
 /// Writes a sheet in a format.
 pub fn write(sheet: &Sheet, format: Format, out: &mut dyn Write) -> io::Result<()> {
     match format {
-        Format::Csv => csv(sheet, out),
+        Format::Csv | Format::Auto => csv(sheet, out),
         Format::Json => json(sheet, out),
         Format::Table => aligned(sheet, out),
         Format::Bibtex => sheet.rows.iter().try_for_each(|row| writeln!(out, "{}", row[0].text())),

@@ -200,9 +200,9 @@ mod tests {
             (&[], "number of points"),
             (&[(0.0, 1.0)], "number of points"),
             (&[(0.0, 1.0), (f64::NAN, 1.0)], "row 2: height_m is NaN"),
-            (&[(0.0, -1.0), (1.0, 1.0)], "row 1: density_per_m is -1.0"),
+            (&[(0.0, -1.0), (1.0, 1.0)], "row 1: density_per_m is -1"),
             (&[(0.0, 1.0), (1.0, 1.0), (0.5, 1.0)], "row 3: height_m is 0.5"),
-            (&[(0.0, 1.0), (0.0, 2.0), (0.0, 3.0)], "row 3: height_m is 0.0"),
+            (&[(0.0, 1.0), (0.0, 2.0), (0.0, 3.0)], "row 3: height_m is 0"),
             (&[(0.0, 0.0), (1.0, 0.0)], "integral of density_per_m"),
             (&[(-1e308, 1.0), (1e308, 1e10)], "integral of density_per_m"),
         ];

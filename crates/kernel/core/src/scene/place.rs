@@ -181,6 +181,6 @@ mod tests {
             assert!(message.starts_with("separation is"), "{message}");
         }
         let message = Separation::metres(-1.0).in_sigma(&scene).unwrap_err().to_string();
-        assert!(message.contains("-1e0 m (-2000000.0 asperity_height_std)"), "{message}");
+        assert!(message.contains("-1e0 m (-2e6 asperity_height_std)"), "{message}");
     }
 }

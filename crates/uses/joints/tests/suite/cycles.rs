@@ -142,7 +142,7 @@ fn restitution_of_one_asperity_equals_finite_elements() {
     let small = small.unwrap_err().to_string();
     assert!(small.contains("interference is 1e-300") && small.contains("2.2e-308 J"), "{small}");
     let refused = restitution(&EtsionKligermanKadin, &asperity, -1.0, UnloadingLaw::Hertz, tight());
-    assert!(refused.unwrap_err().to_string().starts_with("interference is -1.0"));
+    assert!(refused.unwrap_err().to_string().starts_with("interference is -1"));
 }
 
 #[test]
@@ -292,7 +292,7 @@ fn loads_become_turning_points_on_the_present_curve() {
     let virgin = joint.virgin().separation(At::Load(2.0)).unwrap().value * SIGMA;
     assert!(points[2] < virgin && points[2] > points[1]);
     let refused = joint.turning_points(&[At::Load(10.0), At::Load(-1.0)]).unwrap_err().to_string();
-    assert!(refused.starts_with("load is -1.0"), "{refused}");
+    assert!(refused.starts_with("load is -1"), "{refused}");
 }
 
 #[test]

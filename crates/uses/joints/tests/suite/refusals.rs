@@ -31,7 +31,7 @@ fn tables_that_miss_their_tolerance_are_refused_with_the_error_reached() {
     }
     // Multiples of σ_z in place of metres.
     let refused = joint.table((-1.0, 3.0), 1e-6).unwrap_err().to_string();
-    assert!(refused.starts_with("open - deepest is 4.0"), "{refused}");
+    assert!(refused.starts_with("open - deepest is 4"), "{refused}");
 }
 
 #[test]
