@@ -44,7 +44,7 @@ pub use pull_off::pull_off;
 pub use ranges::{NO_RANGE, with_ranges};
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};
-pub use subject::{Subject, unit_warning};
+pub use subject::Subject;
 pub use truth::{
     ContactState, Truth, Truths, beside_table, compare_with_bem, compared, heads, truth, truth_of,
     uncertain,

@@ -87,7 +87,7 @@ mod tests {
     }
 
     fn measured(statistics: Statistics) -> Arc<Measured> {
-        Measured { statistics, pixel_size: 1e-6, long_wavelength: None }.into()
+        Measured { statistics, pixel_size: 1e-6 }.into()
     }
 
     /// What stands behind an answer, or the shape beyond that of the solved surfaces.

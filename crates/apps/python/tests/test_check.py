@@ -47,9 +47,8 @@ def test_numbers_in_other_units_are_named(scene: asperity.Scene) -> None:
     (text,) = [w for w in warning_texts(in_micrometres, separation=3.0) if "like um" in w]
     assert text.startswith("unusual-size: asperity_height_std")
     many = scene.vary(asperity_height_std=[1e-6, 1.0, 2.0])
-    text, *others = warning_texts(many, separation=3.0)
+    (text,) = warning_texts(many, separation=3.0)
     assert text.startswith("unusual-size: 2 of 3 scenes: ")
-    assert all(other.startswith("area-above-nominal: ") for other in others)
     both = warning_texts([scene, in_micrometres], separation=[3.0, 3.0])  # type: ignore[arg-type]
     assert sum("like um" in text for text in both) == 1
 
@@ -73,21 +72,11 @@ def test_a_scene_without_an_answer_is_explained(scene: asperity.Scene) -> None:
 
 
 def test_one_cause_has_one_warning_and_other_causes_their_own(scene: asperity.Scene) -> None:
-    # Merging contacts also explain an area above the nominal one.
     with warnings.catch_warnings(record=True) as seen:
         warnings.simplefilter("always")
         asperity.model("gw").solve(scene, [-40.0], quantities=["area"])
     texts = [str(warning.message) for warning in seen]
-    assert not any(text.startswith("area-above-nominal") for text in texts), texts
     assert [text.split(":")[0] for text in texts] == ["beyond-full-contact"], texts
-    # An unusual scene does not hide the warning about the area.
-    odd = scene.replace(nominal_area=5.0)
-    with warnings.catch_warnings(record=True) as seen:
-        warnings.simplefilter("always")
-        asperity.model("gw").solve([odd, odd], [-40.0, -40.0], quantities=["area"])
-    texts = [str(warning.message) for warning in seen]
-    codes = {text.split(":")[0] for text in texts}
-    assert {"unusual-size", "area-above-nominal"} <= codes, texts
 
 
 def test_warnings_name_the_worst_value_and_where(scene: asperity.Scene) -> None:
@@ -111,18 +100,15 @@ def test_accepted_codes_are_silent_and_unknown_ones_refused(scene: asperity.Scen
 def test_accepted_codes_are_silent_in_other_answers(scene: asperity.Scene) -> None:
     given = scene.interface, scene.surface, scene.nominal_area
     loud = asperity.Scene(*given)
-    quiet = asperity.Scene(*given, accept=["energy-gain", "likely-unit", "interpolation-error"])
+    quiet = asperity.Scene(*given, accept=["energy-gain", "interpolation-error"])
     for one, counted in ((loud, 1), (quiet, 0)):
         for call in (
             lambda: asperity.model("af").unloading(one, load=100.0, law="brake").dissipated(),  # noqa: B023
-            lambda: asperity.model("ke").unloading(one, 1.0).force(1e-7),  # noqa: B023
-            lambda: asperity.model("ke").solve(one, 2e-6),  # noqa: B023
         ):
             with warnings.catch_warnings(record=True) as seen:
                 warnings.simplefilter("always")
                 call()
-            codes = ("energy-gain", "likely-unit")
-            found = [str(one.message) for one in seen if str(one.message).startswith(codes)]
+            found = [text for one in seen if (text := str(one.message)).startswith("energy-gain")]
             assert len(found) == counted, found
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-import warnings
 
 import asperity
 import numpy as np
@@ -52,33 +50,6 @@ def test_the_unit_is_that_of_solve_unless_another_is_said(scene: asperity.Scene)
     ke = asperity.model("ke")
     assert ke.compile(scene).force(2.0) == pytest.approx(216.94, rel=1e-4)
 
-
-def test_numbers_in_the_wrong_unit_are_objected_to(scene: asperity.Scene) -> None:
-    ke = asperity.model("ke")
-    metres = ke.compile(scene, separation_unit="m")
-    slip = "separation is 2 m"
-    for call in (metres.force, metres.force_and_tangent, lambda d: metres.evaluate("force", d)):
-        for separation in (2.0, [0.0, 2.0]):
-            with pytest.warns(asperity.ContactWarning, match=slip) as seen:
-                call(separation)
-            assert {warning.filename for warning in seen} == {__file__}
-    with pytest.warns(asperity.ContactWarning) as seen:
-        ke.solve(scene, [1.0, 2.0], separation_unit="m")
-    assert any(re.search(slip, str(warning.message)) for warning in seen)
-    nanometres = "separation is 2000"
-    with pytest.warns(asperity.ContactWarning, match=nanometres):
-        ke.compile(scene).force(2000.0)
-    with pytest.warns(asperity.ContactWarning, match=nanometres):
-        ke.solve([scene], [2000.0], ["ln-force"])
-    for metres_in_sigmas in (2e-6, [1e-6, -2e-6]):
-        with pytest.warns(asperity.ContactWarning, match="separation is -?2e-6"):
-            ke.compile(scene).force(metres_in_sigmas)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        ke.compile(scene).force(0.0)
-        ke.compile(scene).force([1e-6, 0.0, 1.0])
-        metres.force([1e-3, -1e-3, 0.05])
-        ke.compile(scene).force([-500.0, 0.0, 500.0])
 
 
 def test_loads_and_pressures_go_where_separations_go(scene: asperity.Scene) -> None:

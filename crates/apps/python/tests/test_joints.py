@@ -116,15 +116,10 @@ def test_joints_can_be_pickled_and_shown(scene: asperity.Scene) -> None:
     assert repr(again) == repr(slip) and "friction 0.25" in repr(slip)
 
 
-def test_mistaken_units_and_unusual_places_are_warned_of(scene: asperity.Scene) -> None:
-    ke = asperity.model("ke")
-    with pytest.warns(asperity.ContactWarning, match="separation is 2e-6") as seen:
-        ke.unloading(scene, 2e-6)
-    with pytest.warns(asperity.ContactWarning, match="retreat is 1e-7") as more:
-        ke.unloading(scene, 1.0).force([0.0, 1e-7])
-    with pytest.warns(asperity.ContactWarning, match="^yields: ") as most:
+def test_unusual_places_are_warned_of(scene: asperity.Scene) -> None:
+    with pytest.warns(asperity.ContactWarning, match="^yields: ") as seen:
         asperity.model("gw").unloading(scene, load=1e3)
-    assert {warning.filename for warning in [*seen, *more, *most]} == {__file__}
+    assert {warning.filename for warning in seen} == {__file__}
 
 
 class Halved:

@@ -35,12 +35,6 @@ fn the_pull_off_agrees_with_the_library_and_is_blank_without_tension() {
     let (force, place) = (column(&run.out, "force_N"), column(&run.out, "separation_over_sigma"));
     assert!(force[1].to_bits() == found.force.value().to_bits());
     assert!(place[1].to_bits() == found.separation.value.to_bits());
-    assert!(run.messages.contains("[adhesion]"), "{}", run.messages);
-    let one = 1.5 * std::f64::consts::PI * 1e-4 * 0.05 * 1e5;
-    let (_, left) = run.messages.split_once("jkr-separation: roughness").unwrap();
-    let (_, left) = left.split_once(" to ").unwrap();
-    let left: f64 = left.split(' ').next().unwrap().parse().unwrap();
-    assert!((-left / 100.0 * one / force[1] - 1.0).abs() < 1e-5, "{left} % of {one} N");
     // With stiff exponential heights, the compression of the highest asperities exceeds the
     // adhesion of the others.
     let stiff =

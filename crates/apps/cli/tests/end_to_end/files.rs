@@ -129,18 +129,3 @@ fn an_output_never_overwrites_its_input() {
     assert!(run.code == Some(2) && run.messages.contains("--output"), "{}", run.messages);
     assert_eq!(bench.read("scene.toml"), scene);
 }
-
-#[test]
-fn an_output_never_overwrites_what_a_scene_names() {
-    let bench = Bench::new();
-    let scene = bench.read("scene.toml");
-    let heights = "height_m,density_per_m\n-2e-6,0\n0,5e5\n2e-6,0\n";
-    bench.write("pdf.csv", heights);
-    bench.write(
-        "with.toml",
-        &scene.replace("heights = \"gaussian\"", "heights = { file = \"pdf.csv\" }"),
-    );
-    let run = bench.run("curve with.toml --model ke --separation 1 --output pdf.csv");
-    assert!(run.code == Some(1), "{}", run.messages);
-    assert_eq!(bench.read("pdf.csv"), heights);
-}

@@ -49,35 +49,3 @@ fn models_are_compared_at_every_load_and_what_is_equal_deviates_by_0() {
     let area = cells(&data, "area_deviation");
     assert!(area[1] == "0" && area[0].starts_with('-') && !area[2].is_empty(), "{area:?}");
 }
-
-/// The number between two pieces of a sentence.
-fn printed(arguments: &str, before: &str, after: &str) -> f64 {
-    let (_, rest) = arguments.split_once(before).unwrap_or_else(|| panic!("{arguments}"));
-    rest.split_once(after).unwrap().0.parse().unwrap()
-}
-
-#[test]
-fn cancellation_is_reported_with_its_error() {
-    let bench = Bench::new();
-    bench.write("scene.toml", NEGATIVE);
-    let run = |arguments: &str| bench.run(&format!("{arguments} --model at,jg,ke"));
-    // Next to a zero crossing, as large a part of the force as of its parts moves it.
-    let near = run("curve scene.toml --separation 3.4637,0 --quantity force");
-    let to = printed(&near.messages, "leave a relative error of ", "\n");
-    assert!((1e-4..0.5).contains(&to), "{to}");
-    assert!(near.messages.contains("[cancelled]"));
-    assert_eq!(near.messages.matches("[cancelled]").count(), 1, "{}", near.messages);
-    // Below the top, at a load.
-    let force =
-        column(&bench.data("curve scene.toml --model at --separation 3.69:3.71:2001"), "force_N");
-    let load = 0.9999999 * force.iter().copied().fold(0.0, f64::max);
-    let top = run(&format!("curve scene.toml --load {load:e},20"));
-    assert!(top.messages.contains("[cancelled]"));
-    assert!(top.messages.contains("[cancelled]"), "{}", top.messages);
-    assert_eq!(top.messages.matches("[cancelled]").count(), 1, "{}", top.messages);
-    // Nothing is printed elsewhere.
-    for arguments in ["curve scene.toml --separation 0,2,5", "curve scene.toml --load 1e-3,1"] {
-        let arguments = run(arguments).messages;
-        assert!(!arguments.contains("known to"), "{arguments}");
-    }
-}

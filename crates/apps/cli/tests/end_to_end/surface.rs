@@ -2,7 +2,7 @@
 
 use asperity_topography::{Estimator, Glance, Level, ReadOptions, read};
 
-use crate::bench::{Bench, cells, column};
+use crate::bench::{Bench, column};
 
 /// A rough surface of waves in all directions, in um, as text without a head.
 pub fn scan(seed: f64) -> String {
@@ -170,36 +170,4 @@ fn a_scene_made_of_a_scan_runs_and_is_not_written_over() {
         serde_json::from_str(&bench.data(&format!("{both} --format json"))).unwrap();
     let surface = bench.scene("two.toml").scene.surface;
     assert_eq!(sum["asperity_radius"].as_f64(), Some(surface.asperity_radius));
-}
-
-#[test]
-fn a_measured_density_takes_the_place_of_the_gaussian() {
-    let bench = Bench::new();
-    bench.write("scan.txt", &scan(0.0));
-    bench.data(
-        "surface scan.txt --unit um --pixel-size 0.5 --estimator summits --heights pdf.csv --scene made.toml",
-    );
-    assert!(bench.read("pdf.csv").starts_with("height_m,density_per_m\n"));
-    assert!(bench.read("made.toml").contains("\nheights = { file = \"pdf.csv\" }\n"));
-    // A table ends: beyond its last point nothing touches.
-    let data = bench.data("curve made.toml --model gw --separation 1,40 --quantity ln-force");
-    assert_eq!(cells(&data, &asperity::Quantity::LnForce.column())[1], "", "{data}");
-    let two = bench.run("surface scan.txt scan.txt --unit um --pixel-size 1 --heights p.csv");
-    assert_eq!(two.code, Some(2), "{}", two.messages);
-}
-
-#[test]
-fn a_scene_names_its_heights_from_its_own_folder_and_keeps_their_spread() {
-    let bench = Bench::new();
-    bench.write("scan.txt", &scan(0.0));
-    std::fs::create_dir_all(bench.path("made/heights")).unwrap();
-    bench.data(
-        "surface scan.txt --unit um --pixel-size 0.5 --estimator summits --heights made/heights/pdf.csv --scene made/rough.toml",
-    );
-    assert!(bench.read("made/rough.toml").contains("{ file = \"heights/pdf.csv\" }"));
-    std::fs::rename(bench.path("made"), bench.path("moved")).unwrap();
-    let run = bench.run("curve moved/rough.toml --model ke --separation 3");
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    // No warning about the width of the density.
-    assert_eq!(run.messages, "");
 }

@@ -4,20 +4,6 @@ use crate::bench::{Bench, column};
 use crate::surface::{json, scan};
 
 #[test]
-fn a_check_says_everything_once() {
-    let bench = Bench::new();
-    let template = asperity_scene::template();
-    let pair = "counterface = { sq = 4e-7, spd = 3e8, spc = 4e3 }\nheights = \"gaussian\"";
-    bench.write("scene.toml", &template.replace("heights = \"gaussian\"", pair));
-    for format in ["table", "csv", "json"] {
-        let run = bench.run(&format!("check scene.toml --format {format}"));
-        assert_eq!(run.code, Some(0), "{}", run.messages);
-        let said = run.messages.matches("[gaussian-moments]").count();
-        assert_eq!(said, 2, "{format}: {}", run.messages);
-    }
-}
-
-#[test]
 fn moments_of_two_surfaces_add() {
     let bench = Bench::new();
     bench.write("a.txt", &scan(0.0));

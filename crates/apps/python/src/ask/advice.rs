@@ -83,9 +83,7 @@ pub(crate) fn check_rows(asked: &Asked) -> Findings {
         // The smallest and the largest number suffice: there may be millions of rows.
         Some(file) => {
             let places = rows.ends().map(|row| rows.at(row));
-            let mut found = check_scene(asked.engine(), model, file, places);
-            found.extend(file.conduction_findings(&asked.request.quantities));
-            found
+            check_scene(asked.engine(), model, file, places)
         }
         None => check_scenes(rows, model.validity().asperities),
     }
