@@ -1,5 +1,5 @@
-//! What an evaluation, a scene, a curve and an inverse cost, and what the classical method costs
-//! beside them in the same run. See `crates/bench/README.md`.
+//! What an evaluation, a scene, a curve and an inverse cost. See `crates/bench/README.md`; the
+//! report of `cargo xtask report` holds other methods beside them.
 
 use std::hint::black_box;
 
@@ -7,7 +7,6 @@ use asperity::{
     At, Case, HeightDistribution, Interface, Model, Quantity, Request, Scene, Surface, Sweep,
     TabulatedHeights, Tolerance, linspace,
 };
-use asperity_quadrature::{gauss_kronrod, reach};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 type Outcome<T> = Result<T, asperity::ContactError>;
@@ -59,31 +58,6 @@ fn arrays(c: &mut Criterion) -> Outcome<()> {
             b.iter(|| compiled.fill(asked, black_box(&separations), &mut columns));
         });
     }
-    Ok(())
-}
-
-/// KE's force by adaptive Gauss-Kronrod at 1e-10, split at the kinks and scaled against underflow.
-fn classical(c: &mut Criterion) -> Outcome<()> {
-    let separations = separations();
-    let scale = 1.0 / 36.0; // w_c/σ_z at plasticity index 6
-    let law = |x: f64| match x {
-        x if x < 1.0 => x * x.sqrt(),
-        x if x < 6.0 => 1.03 * x.powf(1.425),
-        x if x < 110.0 => 1.40 * x.powf(1.263),
-        x => 3.0 / 0.58 * x,
-    };
-    let mut k = 0;
-    c.bench_function("gauss-kronrod/ke/force", |b| {
-        b.iter(|| {
-            k = (k + 1) % separations.len();
-            let s = black_box(separations[k]);
-            let end = reach(s);
-            let mut breaks = vec![0.0, scale, 6.0 * scale, 110.0 * scale, end];
-            breaks.retain(|t| *t <= end);
-            let integrand = |t: f64| law(t / scale) * (-t * (s + 0.5 * t)).exp();
-            gauss_kronrod(integrand, &breaks, 1e-10, 100_000).map(|e| e.value)
-        });
-    });
     Ok(())
 }
 
@@ -215,7 +189,7 @@ fn tables(c: &mut Criterion) -> Outcome<()> {
 }
 
 fn all(c: &mut Criterion) {
-    for group in [evaluations, arrays, classical, whole_answers, sweeps, drawn, tables] {
+    for group in [evaluations, arrays, whole_answers, sweeps, drawn, tables] {
         if let Err(error) = group(c) {
             eprintln!("error: {error}");
         }

@@ -4,6 +4,7 @@
 
 mod curved;
 mod report;
+mod rough_sphere;
 mod truth;
 
 use anyhow::Result;
@@ -13,8 +14,12 @@ use clap::Parser;
 #[derive(Parser)]
 #[command(name = "cargo xtask")]
 enum Study {
-    /// Measure times and errors: figures/speed-vs-error.*, figures/hard-cases.csv
-    Report,
+    /// Measure times and errors: figures/speed-vs-error.*, speed-curved.md, hard-cases.csv
+    Report {
+        /// Only curved bodies: figures/speed-curved.md
+        #[arg(long)]
+        curved: bool,
+    },
     /// Compare every model with boundary elements on random surfaces, in an hour; solved cases are
     /// kept in target/truth: crates/answer/judge/data/truth.csv, figures/truth*.md
     Truth {
@@ -32,6 +37,8 @@ enum Study {
     World,
     /// Solve, in a minute, curved bodies with rough surfaces: xtask/data/curved.csv
     Curved,
+    /// Solve, in ten minutes, rough spheres by boundary elements: xtask/data/rough-sphere.csv
+    RoughSphere,
     /// Solve, in twenty minutes, single scans of few long waves that the intervals have to hold:
     /// crates/studies/data/scans.csv
     Scans,
@@ -39,11 +46,12 @@ enum Study {
 
 fn main() -> Result<()> {
     let written = match Study::parse() {
-        Study::Report => report::write()?,
+        Study::Report { curved } => report::write(curved)?,
         Study::Truth { kept, anew } => truth::write(!kept, anew)?,
         Study::Small => truth::write_small()?,
         Study::World => truth::world::write()?,
         Study::Curved => curved::write()?,
+        Study::RoughSphere => rough_sphere::write()?,
         Study::Scans => truth::scans::write()?,
     };
     written.iter().for_each(|path| println!("{}", path.display()));

@@ -1,7 +1,8 @@
-//! Curved bodies over smooth ones against roughness: the numbers are solved by the studies.
+//! Curved bodies over smooth ones against roughness, and beside boundary elements: the numbers are
+//! solved by the studies.
 
 use anyhow::{Context, Result};
-use asperity_plot::{Axis, Curve, Figure, Mark};
+use asperity_plot::{Axis, Curve, Figure, MEASURED, Mark};
 
 use super::models::{beside, curves, named, of, panel};
 use crate::folder::root;
@@ -19,19 +20,71 @@ pub const BAHRAMI: &str = "bahrami";
 const OTHERS: [(&str, usize, &str); 2] =
     [(WHEEL, 8, "KE, wheel on rail"), (BAHRAMI, 6, "Bahrami et al., plastic asperities")];
 
-/// The committed numbers.
+/// Rough spheres: local pressure in the middle, half axis, effective radius, approach, real area.
+pub const SPHERE: [&str; 5] = ["pressure", "axis", "radius", "approach", "area"];
+/// Their file.
+pub const SOLVED: &str = "rough-sphere.csv";
+/// Models between them.
+pub const MODELS: [&str; 3] = ["gw", "ke", "jg"];
+/// Boundary elements on elastic ones.
+pub const ELASTIC: &str = "bem-elastic";
+/// On ones with a hardness.
+pub const YIELDING: &str = "bem";
+/// On smooth ones.
+pub const SMOOTH: &str = "bem-smooth";
+
+/// The committed numbers but those of smooth spheres: panel, curve, alpha and the value.
+fn committed(name: &str, value: &str) -> Result<Table> {
+    let mut table = Table::new(&["panel", "curve", "alpha", value]);
+    let path = root().join("xtask/data").join(name);
+    let mut csv = csv::Reader::from_path(&path).with_context(|| path.display().to_string())?;
+    for row in csv.deserialize() {
+        let (panel, curve, alpha, value): (String, String, f64, f64) = row?;
+        if curve != SMOOTH {
+            table.push(&[&panel, &curve], [alpha, value])?;
+        }
+    }
+    Ok(table)
+}
+
+/// Models between curved bodies.
 ///
 /// # Errors
 /// A file that cannot be read.
 pub fn table() -> Result<Table> {
-    let mut table = Table::new(&["panel", "curve", "alpha", "ratio"]);
-    let path = root().join("xtask/data/curved.csv");
-    let mut csv = csv::Reader::from_path(&path).context("xtask/data/curved.csv")?;
-    for row in csv.deserialize() {
-        let (panel, curve, alpha, ratio): (String, String, f64, f64) = row?;
-        table.push(&[&panel, &curve], [alpha, ratio])?;
-    }
-    Ok(table)
+    committed("curved.csv", "ratio")
+}
+
+/// Models beside boundary elements.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn sphere_table() -> Result<Table> {
+    committed(SOLVED, "value")
+}
+
+/// Four panels.
+///
+/// # Errors
+/// None.
+pub fn sphere_style(_: &str) -> Result<Figure> {
+    let points = [
+        Curve::points(7, ELASTIC, "boundary elements, elastic"),
+        Curve::points(MEASURED, YIELDING, "boundary elements, yielding"),
+    ];
+    let all = [curves(&MODELS)?, points.to_vec()].concat();
+    let shown = |key: usize, title, label, range: [f64; 2]| {
+        let x = Axis::new("alpha", "roughness α").range(0.04, 1.25).log();
+        let y = Axis::new("value", label).range(range[0], range[1]);
+        of("panel", SPHERE[key], title, panel(&x, y, &all))
+    };
+    let panels = [
+        shown(0, "pressure in the middle", "pressure/Hertz", [0.0, 1.05]),
+        shown(1, "half axis of the patch", "half axis/Hertz", [1.0, 2.0]),
+        shown(3, "approach beyond Hertz", "approach/σ", [-1.5, 1.5]),
+        shown(4, "real area", "area/Hertz' patch", [0.0, 0.3]),
+    ];
+    Ok(beside(2, panels))
 }
 
 /// Three panels.

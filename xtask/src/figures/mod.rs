@@ -35,7 +35,7 @@ fn truth_table(which: usize) -> Result<Table> {
 }
 
 /// All figures: the paper's first.
-pub const FIGURES: [FigureSpec; 24] = [
+pub const FIGURES: [FigureSpec; 25] = [
     ("fig04-force-roughness", || roughness(Force), |_| roughness_figure(Force)),
     ("fig05-force-models", || nine_models(Force), |_| models_figure(Force)),
     ("fig06-area-roughness", || roughness(Area), |_| roughness_figure(Area)),
@@ -53,6 +53,7 @@ pub const FIGURES: [FigureSpec; 24] = [
     ("conductance-models", joints::conductance, joints::conductance_figure),
     ("conductance-metals", joints::metals, joints::metals_figure),
     ("curved-bodies", curved::table, curved::style),
+    ("rough-sphere", curved::sphere_table, curved::sphere_style),
     ("pairs-fits", pairs::table, pairs::style),
     (TRUTH[0].0, || truth_table(0), |csv| truth::style(csv, &TRUTH[0])),
     (TRUTH[1].0, || truth_table(1), |csv| truth::style(csv, &TRUTH[1])),

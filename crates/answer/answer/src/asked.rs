@@ -14,7 +14,7 @@ use crate::models::grouped;
 use crate::subject::measured;
 
 /// Why an answer of curved bodies has no interval.
-pub(crate) const NO_EVIDENCE: &str = "without an interval: no solved surface is curved";
+pub const NO_EVIDENCE: &str = "without an interval: the solved surfaces are flat";
 /// The conductance of the contacts beside the gas.
 const CONTACTS: Quantity = Quantity::ThermalConductancePerArea;
 

@@ -2,10 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use asperity::bem::{
-    Bem, BemError, BoundaryElements, Continuation, Direction, Leak, LoadCase, Progress, Solution,
-};
-use asperity::{Code, ContactError, ContactModel, Finding, Findings, Quantity, Request, unusual};
+use asperity::bem::{Bem, BemError, BoundaryElements, Continuation, LoadCase, Progress, Solution};
+use asperity::{Code, ContactError, ContactModel, Finding, Findings, Quantity, Request};
 use asperity_scene::SceneFile;
 
 use crate::leak::Leaking;
@@ -52,19 +50,11 @@ pub struct Press<'a> {
     pub given: &'a [LoadCase],
     /// Quantities besides what every solution has.
     pub quantities: &'a [Quantity],
-    /// The fluid whose flow in both directions is asked for.
-    pub leak: Option<Leak>,
     /// Whether [`solve`](Self::solve) adds the same on half the grid.
     pub refine: bool,
     /// Whether [`solve`](Self::solve) keeps the solutions.
     pub keep: bool,
 }
-
-/// The hydraulic gap in each direction, and the column of the flow through it.
-pub const FLOWS: [(Quantity, Direction, &str); 2] = [
-    (Quantity::HydraulicGapX, Direction::X, "flow_x_m3_per_s"),
-    (Quantity::HydraulicGapY, Direction::Y, "flow_y_m3_per_s"),
-];
 
 /// A load or gap that was solved.
 #[derive(Debug)]
@@ -81,7 +71,7 @@ pub struct Pressed {
 type Solved = (Vec<Option<Vec<Cell>>>, Vec<Solution>, Findings);
 
 impl<'a> Press<'a> {
-    /// Loads or gaps on the scan of a scene, without a fluid, and solutions that are not kept.
+    /// Loads or gaps on the scan of a scene, and solutions that are not kept.
     #[must_use]
     pub fn new(
         file: &'a SceneFile,
@@ -89,15 +79,14 @@ impl<'a> Press<'a> {
         given: &'a [LoadCase],
         quantities: &'a [Quantity],
     ) -> Self {
-        Self { file, name: "", bem, given, quantities, leak: None, refine: false, keep: false }
+        Self { file, name: "", bem, given, quantities, refine: false, keep: false }
     }
 
     /// The columns of a solved load or gap.
     #[must_use]
     pub fn heads(&self) -> Vec<String> {
         let quantities = self.quantities().into_iter().map(Quantity::column);
-        let flows = self.leak.iter().flat_map(|_| FLOWS.map(|(.., head)| head.into()));
-        let all = COLUMNS.iter().map(|(head, _)| (*head).into()).chain(quantities).chain(flows);
+        let all = COLUMNS.iter().map(|(head, _)| (*head).into()).chain(quantities);
         all.chain(self.leaking().iter().flat_map(Leaking::heads)).collect()
     }
 
@@ -109,7 +98,6 @@ impl<'a> Press<'a> {
     /// The quantities asked for, each once, without those that every solution has.
     fn quantities(&self) -> Vec<Quantity> {
         let mut all = self.quantities.to_vec();
-        all.extend(self.leak.iter().flat_map(|_| FLOWS.map(|(gap, ..)| gap)));
         all.retain(|quantity| {
             let is_own = |(head, _): &(&str, Number)| *head == quantity.column();
             *quantity != Quantity::Leak && !COLUMNS.iter().any(is_own)
@@ -135,15 +123,9 @@ impl<'a> Press<'a> {
                     Ok(value) => value.map(|value| value.value()).into(),
                     Err(reason) => Cell::Blank(Some(reason.into())),
                 });
-            let flow = |leak: Leak, (gap, direction, _)| {
-                let (_, gap) = summary.gaps.iter().find(|(known, _)| *known == gap)?;
-                Some(leak.flow(*gap.as_ref().ok()?, self.bem.map(), direction))
-            };
-            let flows = self.leak.map(|leak| FLOWS.map(|one| Cell::from(flow(leak, one))));
             let leaked = leaking.as_ref().map(|seal| seal.leak(elements, &solution));
             let (leaks, findings) = leaked.unwrap_or_default();
-            let cells = numbers.chain(values).chain(flows.into_iter().flatten()).chain(leaks);
-            let cells = cells.collect();
+            let cells = numbers.chain(values).chain(leaks).collect();
             let notes = solution.notes.iter().cloned().chain(summary.finding()).chain(findings);
             Pressed { cells, notes: notes.collect(), solution }
         };
@@ -164,8 +146,6 @@ impl<'a> Press<'a> {
         watch: &dyn Watch,
     ) -> Result<Vec<Solution>, AnswerError> {
         sheet.heads = self.heads();
-        let numbers = self.leak.iter().flat_map(Leak::numbers);
-        sheet.findings.extend(numbers.filter_map(|(name, value)| unusual(name, value)));
         // Refuses what boundary elements or the scene lack before anything is solved.
         Leaking::of(self.file, self.quantities)?;
         let compiled = self.bem.compile(&self.file.scene, &Request::new(self.quantities()));

@@ -1,5 +1,7 @@
 //! What is asked of a scene: models, quantities and places, and how the answer is shown.
 
+use std::sync::OnceLock;
+
 use asperity::recommended::JKR;
 use asperity::{
     At, Best, Code, ContactError, Datum, Described, Evaluation, Findings, Model, Quantity, Request,
@@ -283,9 +285,12 @@ pub(crate) fn column_beside(quantity: Quantity, what: &str) -> String {
 /// `separation_lower_m`.
 #[must_use]
 pub fn column_of_end(column: &str, end: &str) -> String {
+    static UNITS: OnceLock<Vec<String>> = OnceLock::new();
     let unit = |quantity: Quantity| quantity.column().split_off(quantity.to_string().len());
-    let units = Quantity::ALL.into_iter().map(unit).filter(|unit| column.ends_with(&**unit));
-    let unit = units.max_by_key(String::len).unwrap_or_default();
+    let units = UNITS
+        .get_or_init(|| Quantity::ALL.into_iter().map(unit).chain(["_N_per_m3".into()]).collect());
+    let units = units.iter().filter(|unit| column.ends_with(&***unit));
+    let unit = units.max_by_key(|unit| unit.len()).map_or("", String::as_str);
     let (name, unit) = column.split_at(column.len() - unit.len());
     format!("{name}_{end}{unit}")
 }

@@ -10,6 +10,17 @@ use crate::sheet::warning;
 /// The least gap \[m\] for which laws of flow are known.
 const NANOMETRE: f64 = 1e-9;
 
+/// Why there is no gap on a path.
+const CLOSED: &str =
+    "contacts, and gaps smaller than a molecule, close every way through this scan";
+
+/// A warning of a path through gaps in which no law of flow is known.
+pub(crate) fn tight(field: String, gap: f64) -> Option<Finding> {
+    let advice = "gaps below 1 nm, in which no law of flow is known, carry the leak: take it as an order of magnitude";
+    let tight = Finding::warning(Code::Atomic, field, gap).unit("m").advice(advice);
+    (gap < NANOMETRE).then(|| tight.usual([NANOMETRE, f64::INFINITY]))
+}
+
 /// The seal of a scene whose leak is asked for.
 #[derive(Debug)]
 pub(crate) struct Leaking {
@@ -57,7 +68,12 @@ impl Leaking {
         for (along, SealFlow { flow, tightest_gap }) in Direction::ALL.into_iter().zip(flows) {
             let sizes = self.keys.units(&self.seal).into_iter();
             cells.extend(sizes.map(|(_, size)| Cell::from(size * flow)));
-            cells.push(tightest_gap.into());
+            let closed = || {
+                Cell::Blank(Some(
+                    ContactError::Missing { field: "open path", reason: CLOSED.into() }.into(),
+                ))
+            };
+            cells.push(tightest_gap.map_or_else(closed, Cell::from));
             findings.extend(tightest_gap.and_then(|gap| self.finding(along, gap, solution)));
         }
         (cells, findings)
@@ -67,10 +83,8 @@ impl Leaking {
     fn finding(&self, along: Direction, gap: f64, solution: &Solution) -> Option<Finding> {
         let field = format!("tightest_gap_{along}");
         let at = At::Pressure(solution.mean_pressure);
-        if gap < NANOMETRE {
-            let tight = Finding::warning(Code::Atomic, field, gap).unit("m").at(at);
-            let advice = "gaps below 1 nm, in which no law of flow is known, carry the leak: take it as an order of magnitude";
-            return Some(tight.usual([NANOMETRE, f64::INFINITY]).advice(advice));
+        if let Some(tight) = tight(field.clone(), gap) {
+            return Some(tight.at(at));
         }
         let Fluid::Gas(gas) = &self.seal.fluid else { return None };
         let inverse = gas.inverse_knudsen(gap, 0.5 * self.seal.pressures.iter().sum::<f64>());

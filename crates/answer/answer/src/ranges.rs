@@ -15,7 +15,9 @@ const STIFFNESSES: [Quantity; 3] =
 /// the middle of the ranges and at [points](SceneFile::points) of them; each answer, and each place
 /// that differs there, gets the smallest and the largest of these as columns with `_lower` and
 /// `_upper`, and is blank if it is missing at a point. The ends of an interval that an answer has
-/// already are the smallest and the largest of the points. Results say which unknown makes the
+/// already are the smallest and the largest of the points. Curved bodies are solved at the first
+/// eight points between the combinations of ends, and at the others where a number there exceeds
+/// those of the ends. Results say which unknown makes the
 /// ranges wide.
 ///
 /// # Errors
@@ -39,12 +41,34 @@ pub fn with_ranges<T, E: From<AnswerError> + Send>(
         }
         Ok(at_point)
     };
-    let sheets = map_runs(&points.all, 1, |one| one.iter().map(filled).collect());
-    let sheets = sheets.into_iter().collect::<Result<_, E>>()?;
+    let fill_all = |points: &[SceneFile]| {
+        let sheets = map_runs(points, 1, |one| one.iter().map(filled).collect());
+        sheets.into_iter().collect::<Result<Vec<Sheet>, E>>()
+    };
+    // Each point of curved bodies is a solution.
+    let corners = points.corners().count();
+    let few = if file.shape().is_some() { corners + FEW } else { points.all.len() };
+    let mut sheets = fill_all(&points.all[..few])?;
+    if few < points.all.len() && !are_between(&sheets[..corners], &sheets[corners..]) {
+        sheets.extend(fill_all(&points.all[few..])?);
+    }
     let ends = Ends { file, points, sheets };
     ends.add_findings(sheet);
     ends.add_columns(sheet);
     Ok(found)
+}
+
+/// Whether all numbers of some sheets lie between those of others, but for errors of solutions.
+fn are_between(outer: &[Sheet], inner: &[Sheet]) -> bool {
+    let cells = |sheet: &Sheet| sheet.rows.concat();
+    let outer: Vec<Vec<Cell>> = outer.iter().map(cells).collect();
+    let is_between = |(k, cell): (usize, &Cell)| {
+        let ends: Vec<f64> = outer.iter().filter_map(|cells| cells[k].number()).collect();
+        let error = FLAT * least(&ends).abs().max(most(&ends).abs());
+        let is_within = |x| (least(&ends) - error..=most(&ends) + error).contains(&x);
+        cell.number().is_none_or(is_within)
+    };
+    inner.iter().all(|sheet| cells(sheet).iter().enumerate().all(is_between))
 }
 
 /// The sheets at the points of the ranges.
@@ -54,11 +78,12 @@ struct Ends<'a> {
     sheets: Vec<Sheet>,
 }
 
-/// How a value answers to the unknowns: the ratio of its ends, and that due to each unknown.
+/// How a value answers to the unknowns: the distance of its ends, and that due to each unknown.
 struct Width {
     total: f64,
-    /// Logarithms.
     of_unknowns: Vec<f64>,
+    /// Whether these are logarithms of ratios.
+    is_ratio: bool,
 }
 
 impl Ends<'_> {
@@ -130,15 +155,19 @@ impl Ends<'_> {
         }
     }
 
-    /// The widest value of a column of positive numbers.
+    /// The widest value of a column: in logarithms where all its numbers are positive.
     fn width(&self, sheet: &Sheet, column: usize) -> Option<Width> {
         let of_row = |row: usize| {
-            let numbers = self.numbers(sheet, row, column)?;
-            let logs: Vec<f64> = numbers.into_iter().map(f64::ln).collect();
-            let of_unknowns = self.points.effects(&logs);
-            let width = Width { total: most(&logs) - least(&logs), of_unknowns };
+            let mut numbers = self.numbers(sheet, row, column)?;
+            let is_ratio = least(&numbers) > 0.0;
+            let size = if is_ratio { 1.0 } else { most(&numbers).max(-least(&numbers)) };
+            if is_ratio {
+                numbers.iter_mut().for_each(|number| *number = number.ln());
+            }
+            let total = most(&numbers) - least(&numbers);
+            let width = Width { total, of_unknowns: self.points.effects(&numbers), is_ratio };
             // Places are the same at all points.
-            Some(width).filter(|of| of.total.is_finite() && of.total > SAME)
+            (total.is_finite() && total > SAME * size).then_some(width)
         };
         let rows = (0..sheet.rows.len()).filter_map(of_row);
         rows.max_by(|a, b| a.total.total_cmp(&b.total))
@@ -156,30 +185,36 @@ impl Ends<'_> {
                 Some((quantity_of(head)?, self.width(sheet, column)?))
             });
         let widths: Vec<(Quantity, Width)> = columns.collect();
-        let sum = |k: usize| widths.iter().map(|(_, width)| width.of_unknowns[k]).sum::<f64>();
+        let ratios = || widths.iter().filter(|(_, width)| width.is_ratio);
+        let sum = |k: usize| ratios().map(|(_, width)| width.of_unknowns[k]).sum::<f64>();
         // Of like ones the first.
         let widest =
             (0..unknowns.len()).reduce(|a, b| if sum(b) > sum(a) * (1.0 + SAME) { b } else { a });
         let Some(k) = widest.filter(|_| !widths.is_empty()) else { return };
-        let factor = |ratio: f64| match ratio {
-            narrow @ ..2.0 => format!("a factor of {narrow:.2}"),
-            wide => format!("a factor of {wide:.1}"),
-        };
-        let shares = widths.iter().map(|(quantity, Width { total, of_unknowns })| {
+        // Quantities with the same shares together.
+        let mut groups: Vec<(String, Vec<String>)> = vec![];
+        for (quantity, Width { of_unknowns, .. }) in &widths {
             let all: f64 = of_unknowns.iter().sum();
             let share = |(one, of): (&Unknown, &f64)| {
                 Some(format!("{} {:.0} %", one.name, 100.0 * of / all))
                     .filter(|_| *of > 0.005 * all)
             };
-            let shares = unknowns.iter().zip(of_unknowns).filter_map(share);
-            let shares = shares.collect::<Vec<_>>().join(", ");
-            format!("{quantity} within {} ({shares})", factor(total.exp()))
-        });
-        let shares = shares.collect::<Vec<_>>().join("; ");
+            let shares: Vec<_> = unknowns.iter().zip(of_unknowns).filter_map(share).collect();
+            let shares = shares.join(", ");
+            match groups.iter_mut().find(|(known, _)| *known == shares) {
+                Some((_, quantities)) => quantities.push(quantity.to_string()),
+                None => groups.push((shares, vec![quantity.to_string()])),
+            }
+        }
         let Unknown { name, narrowed, .. } = &unknowns[k];
-        sheet.result(format!(
-            "by the ranges of the scene, with the share of each: {shares}; {narrowed} would narrow {name}, the widest"
-        ));
+        let text = |(shares, of): &(String, Vec<String>)| format!("of {}: {shares}", of.join(", "));
+        sheet.result(match &unknowns[..] {
+            [_] => format!("all ranges come from {name}: {narrowed} would narrow them"),
+            _ => {
+                let shares = groups.iter().map(text).collect::<Vec<_>>().join("; ");
+                format!("shares in the ranges {shares}; {narrowed} would narrow {name}")
+            }
+        });
         let spec = &self.file.spec;
         let mut surfaces = [Some(&spec.surface), spec.counterface.as_ref()].into_iter().flatten();
         let is_drawn = surfaces.any(|one| matches!(one.by, Description::Drawing(_)));
@@ -192,6 +227,10 @@ impl Ends<'_> {
 
 /// Ends of the names of columns about models, beside the columns of quantities.
 const ANSWERS: [&str; 1] = ["_deviation"];
+/// The number of points between the combinations of ends at which curved bodies are solved first,
+/// and how far numbers there may exceed those of the ends.
+const FEW: usize = 8;
+const FLAT: f64 = 1e-5;
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
 /// Why a number has no value where it is missing at an end.

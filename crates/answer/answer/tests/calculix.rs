@@ -11,7 +11,7 @@ use asperity::{
     At, Body, ContactModel, Interface, Model, Quantity, Request, Scene, Surface, Tolerance,
 };
 use asperity_answer::{
-    ConductanceAgainst, Export, Exported, Sheet, Silent, Subject, TableFormat, UnitSystem,
+    ConductanceAgainst, Export, Exported, Nodes, Sheet, Silent, Subject, TableFormat, UnitSystem,
 };
 use asperity_scene::SceneFile;
 
@@ -37,10 +37,12 @@ fn exported(
     let tolerance = Tolerance::default();
     let export = Export {
         subject: Subject { file: &file, name: "", id: "ke", model, tolerance },
-        ends: [At::Pressure(1e5), At::Pressure(2e7)],
-        nodes: 2,
-        log: false,
-        max_error: Some(error),
+        nodes: Nodes::Range {
+            ends: [At::Pressure(1e5), At::Pressure(2e7)],
+            count: 2,
+            log: false,
+            max_error: Some(error),
+        },
         format: TableFormat::Calculix,
         units: UnitSystem::MmTonneS,
         conductance,

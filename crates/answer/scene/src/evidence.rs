@@ -63,7 +63,7 @@ impl SceneFile {
 
 #[cfg(test)]
 mod tests {
-    use asperity::{At, Tolerance};
+    use asperity::{At, Compared, Known, Tolerance};
     use asperity_topography::Topography;
 
     use super::*;
@@ -71,6 +71,11 @@ mod tests {
 
     /// Waves in many directions, with slopes along columns smaller by the factor `lengthened`.
     fn scan(lengthened: f64) -> Topography {
+        turned(lengthened, 0.0, f64::INFINITY)
+    }
+
+    /// The part within `radius` points of the middle, turned about it.
+    fn turned(lengthened: f64, degrees: f64, radius: f64) -> Topography {
         let waves: Vec<[f64; 3]> = (0..60)
             .map(|k| {
                 let wide = (f64::from(k % 7) / 7.0).powi(2);
@@ -78,9 +83,14 @@ mod tests {
                 [size * turn.cos(), size * turn.sin(), 5.1 * f64::from(k * k)]
             })
             .collect();
+        let (sin, cos) = degrees.to_radians().sin_cos();
         let height = |k: usize| {
-            let (x, y) = ((k % 128) as f64, (k / 128) as f64 / lengthened);
-            let wave = |[a, b, c]: &[f64; 3]| (a * x + b * y + c).cos();
+            let [x, y] = [k % 128, k / 128].map(|at| at as f64 - 63.5);
+            if x.hypot(y) > radius {
+                return f64::NAN;
+            }
+            let (u, v) = (cos * x + sin * y + 63.5, cos * y - sin * x + 63.5);
+            let wave = |[a, b, c]: &[f64; 3]| (a * u + b * v / lengthened + c).cos();
             1e-8 * waves.iter().map(wave).sum::<f64>()
         };
         Topography::new((0..128 * 128).map(height).collect(), 128, [1e-6; 2]).unwrap()
@@ -90,12 +100,17 @@ mod tests {
         Measured { statistics, pixel_size: 1e-6 }.into()
     }
 
-    /// What stands behind an answer, or the shape beyond that of the solved surfaces.
-    fn summary(scan: &Topography) -> String {
+    fn of_scan(scan: &Topography) -> SceneFile {
         let mut file = crate::parse(crate::template(), std::path::Path::new(".")).unwrap();
         let statistics = scan.statistics(asperity_topography::Estimator::Moments).unwrap();
         file.scene.surface = statistics.surface().unwrap();
         file.measured = Some(measured(statistics));
+        file
+    }
+
+    /// What stands behind an answer, or the shape beyond that of the solved surfaces.
+    fn summary(scan: &Topography) -> String {
+        let file = of_scan(scan);
         let best = file.best().on(&file.scene, Tolerance::default()).unwrap();
         best.basis(At::Pressure(1e6)).unwrap_or_else(|reason| reason.to_string())
     }
@@ -108,6 +123,26 @@ mod tests {
         let dug = Topography::new(dug, 128, [1e-6; 2]).unwrap();
         let summaries = [whole, scan(3.0), scan(12.0), dug].map(|scan| summary(&scan));
         insta::assert_snapshot!(summaries.join("\n\n"));
+    }
+
+    #[test]
+    fn a_turned_scan_has_the_evidence_of_the_scan() {
+        let known = |degrees: f64| {
+            let file = of_scan(&turned(3.0, degrees, 64.0));
+            let best = file.best().on(&file.scene, Tolerance::default()).unwrap();
+            [Compared::Area, Compared::UnloadingStiffness, Compared::MeanGap].map(|of| {
+                let Known { value, ends, .. } = best.known(of, At::Pressure(1e6)).unwrap();
+                let [low, high] = ends.unwrap();
+                [value, low, high]
+            })
+        };
+        let wanted = known(0.0);
+        for degrees in [17.0, 30.0, 45.0, 90.0] {
+            let pairs = known(degrees).into_iter().flatten().zip(wanted.iter().flatten());
+            for (found, wanted) in pairs {
+                assert!((found / wanted - 1.0).abs() < 0.01, "{degrees}: {found:e} {wanted:e}");
+            }
+        }
     }
 
     /// An option of `persson` does not state that stiffnesses of a rough scan are known.

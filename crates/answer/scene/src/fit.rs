@@ -19,7 +19,8 @@ impl SceneFile {
     /// # Errors
     /// [`SceneError::Fit`] naming the column or the line, the value and what is required.
     pub fn data(&self, table: &MeasuredTable) -> Result<Data, SceneError> {
-        Ok(Data::from_table(table, self.spec.separation_from)?)
+        let area = Some(self.scene.nominal_area);
+        Ok(Data::from_table(table, self.spec.separation_from, area)?)
     }
 
     /// The free parameters, which start from the values of this scene. By default their bounds are
@@ -127,6 +128,9 @@ impl SceneFile {
         }
         if free.iter().all(|free| free.name != "nominal_area") {
             data.check_loads(self.scene.nominal_area)?;
+        } else if data.is_over_area() {
+            let reason = "values over the nominal area were measured; give them in N/m";
+            return Err(refused("nominal_area", reason.into()));
         }
         let parameters = self.free_parameters(free, data)?;
         let of_scene = parameters.iter().filter(|one| one.role == Role::Scene);

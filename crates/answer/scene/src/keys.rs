@@ -179,13 +179,18 @@ keys! {
             form "Unit of the heights" "um")
         pixel_size("" "or [1.5, 2.0], in that unit or as \"10 nm\", if the file has none"
             form "Pixel size" "1.5 um")
-        channel("" "name or number of a surface in a file of several (.gwy, .sur, text)")
-        units("" "of lengths and heights of a text, or of x, y and heights, if it states none")
-        columns("" "of a text: \"x,y,z\", \"-,z,-\", the number of the column of heights, \"matrix\" or \"axes\"")
-        skip_lines("" "lines at the beginning of a text that are not read")
-        missing("" "the number that marks missing points; nan if none does")
-        factor("" "from the numbers in the file to heights in their unit")
-        delimiter("" "of the fields of a text, one character")
+        channel("" "name or number of a surface in a file of several (.gwy, .sur, text)"
+            form "Channel" "2")
+        units("" "of lengths and heights of a text, or of x, y and heights, if it states none"
+            form "Units" "[\"um\", \"nm\"]")
+        columns("" "of a text: \"x,y,z\", \"-,z,-\", the number of the column of heights, \"matrix\" or \"axes\""
+            form "Columns" "x,y,z")
+        skip_lines("" "lines at the beginning of a text that are not read"
+            form "Lines to skip" "2")
+        missing("" "the number that marks missing points; nan if none does"
+            form "Missing points are" "-9999")
+        factor("" "from the numbers in the file to heights in their unit" form "Factor" "0.5")
+        delimiter("" "of the fields of a text, one character" form "Delimiter" ";")
         estimator("" "or \"summits\"" form "Estimator" "moments|summits")
         level("" "form removed first: \"plane\", \"quadratic\", \"mean\" (default of periodic scans) or \"none\""
             form "Form removed" "plane|quadratic|mean|none")
@@ -216,24 +221,26 @@ keys! {
         body2_radius_x("m" "")
         body2_radius_y("m" "")
         length("m" ", of a line contact" form "Length" "20 mm")
-        reference_length("m" ", in the deflection of a line contact: its approach depends on it")
+        reference_length("m" ", in the deflection of a line contact: its approach depends on it" form "Reference length" "0.1 m")
     } {}
     "gap" Gap numbers GAP in Gas {
         gas_conductivity("W/(m K)" ", of the gas in the gap; air has 0.026")
         gas_parameter("m" ", temperature-jump distance: about 0.37 um for air at 1 bar, 0 for a liquid")
     } {}
     "seal" Seal numbers SEAL in Seal {
-        width("m" ", across the flow; of a ring along it")
-        length("m" ", along the flow")
+        width("m" ", across the flow; of a ring along it" form "Width" "100 mm")
+        length("m" ", along the flow" form "Length" "2 mm")
         perimeter("m" ", of a ring, instead of length")
-        upstream_pressure("Pa" ", absolute")
-        downstream_pressure("Pa" ", absolute; 0 is a vacuum")
-        viscosity("Pa s" ", of a liquid, or instead of that of the gas")
+        upstream_pressure("Pa" ", absolute" form "Pressure upstream" "10 bar")
+        downstream_pressure("Pa" ", absolute; 0 is a vacuum" form "Pressure downstream" "1 bar")
+        viscosity("Pa s" ", of a liquid, or instead of that of the gas"
+            form "Viscosity of a liquid" "1 mPa s")
         density("kg/m^3" ", of a liquid, for its mass flow")
         molar_mass("kg/mol" ", of a gas that is not in the list, with its viscosity")
         temperature("K" ", of the gas; 293.15 if missing")
     } {
-        gas("" "air, nitrogen, hydrogen, helium, argon or methane")
+        gas("" "air, nitrogen, hydrogen, helium, argon or methane"
+            form "Gas" "air|nitrogen|hydrogen|helium|argon|methane")
     }
     "options" Options {
         angle_density("" "of gao and at; or \"upright\"")

@@ -45,7 +45,7 @@ mod words;
 mod write;
 
 pub use asperity::Asperities;
-pub use asperity_curved::Shape;
+pub use asperity_curved::{Hertz, Shape};
 pub use curvature::Curvature;
 pub use document::HandedFiles;
 pub use error::{Place, SceneError};

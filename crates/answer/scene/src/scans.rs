@@ -93,6 +93,7 @@ impl Source {
                 return SceneError::value(option(field), value, &required);
             }
             TopographyError::TooManyMissing { .. } => option("max_missing"),
+            TopographyError::Undecided { option: name, .. } => option(name),
             _ => document.place(&self.at),
         };
         SceneError::Refused { at, reason: format!("{}: {error}", self.path.display()) }

@@ -107,15 +107,6 @@ mod tests {
     }
 
     #[test]
-    fn the_same_input_gives_the_same_bytes_without_nan() {
-        let figure = figure(&["a", "b"], true);
-        let svg = draw(&figure, CSV).unwrap();
-        assert!(svg == draw(&figure, CSV).unwrap());
-        assert!(svg.contains("width=\"800\" height=\"600\" viewBox=\"0 0 800 600\""));
-        assert!(svg.ends_with("</svg>\n") && !svg.contains("NaN") && !svg.contains("inf"));
-    }
-
-    #[test]
     fn readings_share_the_width_and_have_their_text() {
         let mut figure = figure(&["a", "b"], true);
         let reading = |at: f64| Mark::new(at, &format!("at {at}\na < b"));

@@ -38,6 +38,8 @@ pub struct Map {
     /// What values of the `top` and above mean, which then have a colour of their own; empty for
     /// none.
     pub full: String,
+    /// Names of places in an svg, each in shares of the rows and of the columns from the top left.
+    pub marks: Vec<(String, [f64; 2])>,
     /// Width in pixels of a small picture, whose letters keep their size.
     pub width: Option<f64>,
 }
@@ -66,6 +68,8 @@ const COLOURS: [[u8; 3]; 6] =
 
 /// Unlike all of them: values that are full.
 const FULL: [u8; 3] = [0, 158, 180];
+/// Of marks: unlike all of them, too.
+const MARK: &str = "#0050E0";
 /// Rounding of a value that is full.
 const FULLY: f64 = 1e-9;
 
@@ -114,6 +118,14 @@ impl<'a> Placed<'a> {
         let image = format!("data:image/png;base64,{}", STANDARD.encode(pixels(map, 0)?));
         canvas.image(frame, &image);
         canvas.outline(frame, BLACK, 1.0);
+        for (k, (name, [along, down])) in map.marks.iter().enumerate() {
+            let (x, y) = frame.at((*along, 1.0 - down));
+            let around = Rect::sized(x - 6.0, y - 6.0, 12.0, 12.0);
+            canvas.outline(&around, MARK, 2.5);
+            // Names of one place stand below each other.
+            let beside = (around.right + 3.0, y + k as f64 * TICK);
+            canvas.text(name, beside, Type { bold: true, ..Type::new(TICK, MARK, "start") });
+        }
         draw_scale_bar(canvas, map, *scale, (frame.left, below + 14.0));
         let bar = Rect::sized(frame.right + BAR_GAP, frame.top, BAR, below - frame.top);
         draw_colours(canvas, map, &bar);
@@ -262,6 +274,7 @@ mod tests {
             label: "pressure (GPa)".into(),
             top: 1.0,
             white: "white: no contact".into(),
+            marks: vec![("neck".into(), [0.5, 0.25])],
             ..Map::default()
         }
     }
@@ -269,7 +282,8 @@ mod tests {
     #[test]
     fn maps_have_bars_and_labels() {
         let svg = draw_map(&map()).unwrap();
-        for word in ["where it touches", ">1 µm<", "pressure (GPa)", "white: no contact", ">0.2<"]
+        for word in
+            ["where it touches", ">1 µm<", "pressure (GPa)", "white: no contact", ">0.2<", ">neck<"]
         {
             assert!(svg.contains(word), "{word}");
         }

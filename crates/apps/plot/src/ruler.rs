@@ -196,13 +196,6 @@ mod tests {
     }
 
     #[test]
-    fn linear_labels_are_round_and_short() {
-        assert_eq!(ruler(linear(0.0, 4.0), 6).labels(), ["0", "1", "2", "3", "4"]);
-        assert_eq!(ruler(linear(-0.3, 0.3), 4).labels(), ["−0.2", "0.0", "0.2"]);
-        assert_eq!(ruler(linear(4.2, 4.5), 5).labels(), ["4.2", "4.3", "4.4", "4.5"]);
-    }
-
-    #[test]
     fn tiny_and_huge_ranges_have_their_power_of_ten_taken_out() {
         for (size, exponent) in [(4e-6, -6), (4e300, 300), (4e-300, -300)] {
             let ruler = ruler(linear(0.0, size), 6);
@@ -210,24 +203,6 @@ mod tests {
             assert_eq!(ruler.labels(), ["0", "1", "2", "3", "4"]);
             assert!((ruler.share(0.25 * size) - 0.25).abs() < 1e-12);
         }
-    }
-
-    #[test]
-    fn a_factor_changes_the_labels_and_not_the_places() {
-        let (plain, micro) = (ruler(linear(0.0, 4e-6), 6), ruler(linear(0.0, 4e-6).times(1e6), 6));
-        assert!((plain.share(1e-6) - micro.share(1e-6)).abs() < 1e-12);
-        assert_eq!(micro.exponent, 0);
-    }
-
-    #[test]
-    fn decades_are_labelled_as_powers_and_short_ranges_as_numbers() {
-        let wide = ruler(linear(1e-3, 10.0).log(), 8);
-        assert_eq!(wide.labels(), ["10⁻³", "10⁻²", "10⁻¹", "10⁰", "10¹"]);
-        assert_eq!(wide.minor.len(), 4 * 8);
-        assert_eq!(ruler(linear(0.15, 0.9).log(), 8).labels(), ["0.2", "0.5"]);
-        assert_eq!(ruler(linear(2.1, 2.9).log(), 4).labels(), ["2.2", "2.4", "2.6", "2.8"]);
-        let sparse = ruler(linear(1e-9, 1e9).log(), 7);
-        assert!(sparse.labels().len() <= 7 && sparse.labels().contains(&"10⁰".into()));
     }
 
     #[test]

@@ -135,28 +135,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn text_is_wrapped_within_the_width_without_losses() {
-        let text = "one, two, three, four, five, six, seven, eight, nine, ten";
-        let lines = wrap(text, 40.0, 400.0);
-        assert!(lines.len() > 1);
-        assert!(lines.iter().all(|line| width(line, 40.0) <= 400.0));
-        assert_eq!(lines.join(" "), text);
-        assert_eq!(wrap("a\u{a0}b", 40.0, 1.0), ["a\u{a0}b"]);
-    }
-
-    #[test]
     fn numbers_are_typeset() {
         assert_eq!(power_of_ten(-12), "10⁻¹²");
         let texts = [0.30000000000000004, -3.0, 0.0, 1e-7, 2.5e-7, 1234.0, 2e5].map(number);
         assert_eq!(texts, ["0.3", "−3", "0", "10⁻⁷", "2.5·10⁻⁷", "1234", "2·10⁵"]);
-    }
-
-    #[test]
-    fn a_blank_after_a_lowered_letter_is_inside_the_next_span() {
-        assert_eq!(
-            spans("w_c = R_p<1", 10.0),
-            "w<tspan dy=\"2.0\" font-size=\"7.0\">c</tspan><tspan dy=\"-2.0\"> = R</tspan><tspan dy=\"2.0\" font-size=\"7.0\">p</tspan><tspan dy=\"-2.0\">&lt;1</tspan>"
-        );
-        assert_eq!(spans("a_ b", 10.0), "a_ b");
     }
 }

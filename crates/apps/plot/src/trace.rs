@@ -108,28 +108,3 @@ pub(crate) fn draw_line(canvas: &Canvas, points: &[Point], curve: &Curve) {
         canvas.line(&simplified(points), curve.colour(), curve.width(), curve.dash());
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn simplifying_keeps_corners_and_drops_points_of_straight_lines() {
-        let mut points: Vec<Point> = (0..100).map(|i| (f64::from(i), 0.0)).collect();
-        points.extend((1..100).map(|i| (99.0, f64::from(i))));
-        assert_eq!(simplified(&points), [(0.0, 0.0), (99.0, 0.0), (99.0, 99.0)]);
-        assert_eq!(simplified(&points[..1]), points[..1]);
-    }
-
-    #[test]
-    fn markers_of_identical_curves_do_not_touch() {
-        let frame = Rect::sized(0.0, 0.0, 633.0, 467.0);
-        let line = vec![vec![(0.0, 233.0), (633.0, 200.0)]];
-        let places = marker_places(&vec![line; 10], &frame, vec![]);
-        assert!(places.iter().all(|own| own.len() >= 3));
-        let all: Vec<Point> = places.concat();
-        for (index, a) in all.iter().enumerate() {
-            assert!(all[index + 1..].iter().all(|b| distance(*a, *b) > 2.0 * MARKER));
-        }
-    }
-}

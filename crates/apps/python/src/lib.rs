@@ -31,7 +31,7 @@ mod _asperity {
         ask::advice::{best, check, plan, profile, pull_off},
         ask::contact::Contact,
         ask::values::{answer, separations, shares},
-        bem::contacts::{bem, bem_unloading, truth},
+        bem::contacts::{bem, bem_unloading, sealing_pressure, truth},
         bem::slip::bem_slip,
         convert::numbers::quantity,
         convert::{ContactWarning, NotConverged, UnsupportedFormat},

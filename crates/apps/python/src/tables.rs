@@ -2,7 +2,7 @@
 
 use asperity::Severity;
 use asperity_answer::{
-    Cell, ConductanceAgainst, Export, Sheet, Silent, Subject, TableFormat, UnitSystem,
+    Cell, ConductanceAgainst, Export, Nodes, Sheet, Silent, Subject, TableFormat, UnitSystem,
 };
 use asperity_scene as scene;
 use numpy::PyArray1;
@@ -16,7 +16,7 @@ use crate::scene::SceneFile;
 
 /// Clearances [m], pressures [Pa] and tangents [Pa/m], the relative errors of pressure and tangent
 /// between the nodes, and the text.
-type Nodes<'py> = (Bound<'py, PyDict>, f64, f64, String);
+type Contact<'py> = (Bound<'py, PyDict>, f64, f64, String);
 /// Columns by their heads, findings, and results in sentences: the package's `Table`.
 pub(crate) type Table<'py> = (Bound<'py, PyDict>, Object<'py>, Vec<String>);
 
@@ -57,15 +57,16 @@ pub(crate) fn contact_table<'py>(
     spacing: (usize, Option<f64>, f64),
     form: (&str, &str),
     beside: (Option<String>, Option<f64>),
-) -> PyResult<Nodes<'py>> {
+) -> PyResult<Contact<'py>> {
     let (model, file) = (engine.on(&scene.0)?, &scene.0);
     let format = form.0.parse::<TableFormat>();
     let format =
         format.map_err(|needed| value_error(format!("format is {:?}: {needed}", form.0)))?;
     let units: UnitSystem = form.1.parse().map_err(|e| value_error(format!("units: {e}")))?;
-    let (nodes, max_error, rtol) = spacing;
+    let (count, max_error, rtol) = spacing;
     let tolerance = tolerance(rtol)?;
     let (axis, first, last) = ends;
+    let ends = [first, last].map(|end| axis.at(end, file.spec.separation_from));
     let (conductance, friction) = beside;
     let against = |name: String| {
         let found = name.parse::<ConductanceAgainst>();
@@ -73,10 +74,7 @@ pub(crate) fn contact_table<'py>(
     };
     let export = Export {
         subject: Subject { file, name: "", id: "", model: &model, tolerance },
-        ends: [first, last].map(|end| axis.at(end, file.spec.separation_from)),
-        nodes,
-        log: false,
-        max_error,
+        nodes: Nodes::Range { ends, count, log: false, max_error },
         format,
         units,
         conductance: conductance.map(against).transpose()?,

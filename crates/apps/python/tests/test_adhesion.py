@@ -25,9 +25,3 @@ def test_the_pull_off_is_the_minimum_of_the_force() -> None:
     assert asperity.model("dmt").pull_off(scene(0.0)) is None
     with pytest.raises(ValueError, match="work_of_adhesion is missing"):
         model.pull_off(scene(None))
-
-
-def test_a_work_of_adhesion_reads_back() -> None:
-    given = scene(0.05)
-    assert asperity.Scene.parse(given.to_toml()) == given
-    assert given.replace(work_of_adhesion=0.02).interface.work_of_adhesion == 0.02

@@ -1,4 +1,4 @@
-"""Arguments whose meaning is Python's: one scene or many, lengths with a unit, paths."""
+"""Arguments whose meaning is Python's: lengths with a unit, paths."""
 
 from __future__ import annotations
 
@@ -6,22 +6,8 @@ from pathlib import Path
 from typing import Any
 
 import asperity
-import pytest
 
 KE: Any = asperity.model("ke")
-
-
-def test_one_scene_is_required_where_many_have_no_answer(scene: asperity.Scene) -> None:
-    many: Any = scene.vary(work_of_adhesion=[0.05, 0.1])
-    for call in (
-        lambda: asperity.model("jkr-separation").pull_off(many),
-        lambda: KE.compile(many),
-        lambda: KE.unloading([scene, scene], 1.0),
-        lambda: asperity.export(KE, many, load=(1.0, 2.0), nodes=3),
-        lambda: asperity.plan(KE, many, 1.0),
-    ):
-        with pytest.raises(TypeError, match="one scene"):
-            call()
 
 
 def test_a_joint_table_takes_lengths_with_a_unit(scene: asperity.Scene) -> None:
@@ -37,7 +23,6 @@ def test_texts_are_saved(scene: asperity.Scene, tmp_path: Path) -> None:
     table = asperity.export(KE, scene, "csv", load=("10 N", "1 kN"), max_error=1e-3)
     table.save(tmp_path / "table.csv")
     assert (tmp_path / "table.csv").read_text() == table.text
-
 
 
 def test_options_of_other_models_may_differ_between_scenes(scene: asperity.Scene) -> None:

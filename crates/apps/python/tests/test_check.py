@@ -53,13 +53,6 @@ def test_numbers_in_other_units_are_named(scene: asperity.Scene) -> None:
     assert sum("like um" in text for text in both) == 1
 
 
-def test_unusual_bodies_are_warned_of_by_the_interface() -> None:
-    steel = asperity.Body(210e9, 0.3, hardness=2e9)
-    with pytest.warns(asperity.ContactWarning, match="second.youngs_modulus is 2.1e14 Pa") as seen:
-        asperity.Interface.between(steel, asperity.Body(210e12, 0.3, hardness=1.2e11))
-    assert seen[0].filename == __file__
-
-
 def test_a_scene_without_an_answer_is_explained(scene: asperity.Scene) -> None:
     # A modulus in GPa: no separation carries the pressure.
     soft = scene.replace(equivalent_modulus=116.0)
@@ -69,14 +62,6 @@ def test_a_scene_without_an_answer_is_explained(scene: asperity.Scene) -> None:
         assert check.findings[0].severity == "refusal"
         assert any("116 looks like GPa" in str(finding) for finding in check.findings), place
         assert check.numbers["equivalent_modulus"] == 116.0
-
-
-def test_one_cause_has_one_warning_and_other_causes_their_own(scene: asperity.Scene) -> None:
-    with warnings.catch_warnings(record=True) as seen:
-        warnings.simplefilter("always")
-        asperity.model("gw").solve(scene, [-40.0], quantities=["area"])
-    texts = [str(warning.message) for warning in seen]
-    assert [text.split(":")[0] for text in texts] == ["beyond-full-contact"], texts
 
 
 def test_warnings_name_the_worst_value_and_where(scene: asperity.Scene) -> None:

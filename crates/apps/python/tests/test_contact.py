@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-
 import asperity
 import numpy as np
 import pytest
@@ -44,12 +43,6 @@ def test_it_is_what_solve_says_in_the_same_unit(scene: asperity.Scene, unit: str
         np.testing.assert_allclose(forces, curve.force, rtol=1e-13)
         np.testing.assert_allclose(tangents, curve.tangent, rtol=1e-13)
         assert contact.force(separations[7]) == pytest.approx(curve.force[7], rel=1e-13)
-
-
-def test_the_unit_is_that_of_solve_unless_another_is_said(scene: asperity.Scene) -> None:
-    ke = asperity.model("ke")
-    assert ke.compile(scene).force(2.0) == pytest.approx(216.94, rel=1e-4)
-
 
 
 def test_loads_and_pressures_go_where_separations_go(scene: asperity.Scene) -> None:

@@ -32,22 +32,6 @@ def test_values_at_loads_are_those_at_their_separations(name: str, scene: asperi
     assert (curve.load == LOADS).all()
 
 
-@pytest.mark.parametrize("name", ["gw", "ke", "jg"])
-def test_pressures_are_loads_over_the_nominal_area(name: str, scene: asperity.Scene) -> None:
-    model, area = asperity.model(name), scene.nominal_area
-    scenes = scene.vary(hardness=[1e9, 2e9, 3e9]).reshape(3, 1)
-    for scene_or_many in (scene, scenes):
-        by_load = model.solve(scene_or_many, load=LOADS, quantities="area")
-        by_pressure = model.solve(scene_or_many, pressure=LOADS / area, quantities="area")
-        np.testing.assert_allclose(by_load.area, by_pressure.area, rtol=1e-9)
-        loads, pressures = (
-            model.separation_at(scene_or_many, load=LOADS),
-            model.separation_at(scene_or_many, pressure=LOADS / area),
-        )
-        np.testing.assert_allclose(loads, pressures, atol=1e-10)
-        np.testing.assert_allclose(by_load.separation, loads, atol=1e-10)
-
-
 def test_separations_of_loads_are_in_the_unit_and_from_the_plane(scene: asperity.Scene) -> None:
     plane = asperity.Scene(
         scene.interface, scene.surface, scene.nominal_area, separation_from="surface-mean"
@@ -171,26 +155,3 @@ def test_texts_may_say_their_unit(scene: asperity.Scene) -> None:
     )
     for text in ("5 MPa", "5 N/mm2"):
         assert ke.separation_at(scene, pressure=text) == ke.separation_at(scene, pressure=5e6)
-
-
-def test_a_loop_over_loads_warns_once_for_each_cause() -> None:
-    model, scene = asperity.model("gw"), asperity.Scene.parse(asperity.template())
-
-    def loop() -> None:
-        for load in (5e3, 1e4, 2e4, 4e4):
-            model.solve(scene, load=load)
-
-    shown = []
-    for action in ("default", "always"):
-        with warnings.catch_warnings(record=True) as recorded:
-            warnings.simplefilter(action)
-            loop()
-        shown.append([str(one.message) for one in recorded])
-    first, every = shown
-    assert len(every) == 4 * len(first) > 0, shown
-    assert first == every[: len(first)]
-    # Anew in another context, as Python's own.
-    with warnings.catch_warnings(record=True) as recorded:
-        warnings.simplefilter("default")
-        loop()
-    assert [str(one.message) for one in recorded] == first

@@ -17,12 +17,6 @@ NOTEBOOKS = sorted((HERE.parents[1] / "examples").glob("*.ipynb"))
 FIGURES = HERE.parents[4] / "figures"
 
 
-def test_there_are_seven() -> None:
-    names = ["bolted-joint-vibration", "paper-figure", "scan-to-stiffness"]
-    names += ["stribeck-bearing", "ultrasonic-roughness", "wheel-rail-uncertainty", "which-model"]
-    assert [path.stem for path in NOTEBOOKS] == names
-
-
 # Warnings of the kernel's threads and sockets are not under test.
 @pytest.mark.filterwarnings("default")
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)

@@ -18,16 +18,6 @@ def force(scene: asperity.Scene, model: str, separation: float) -> float:
     return float(asperity.model(model).solve(scene, separation).force)
 
 
-def test_greenwood_tripp_is_gw_of_pairs() -> None:
-    assert force(SCENE, "gt", 1.0) == force(SCENE, "gw-pairs", 1.0)
-    # The asperities of one surface, by moments or by their own numbers.
-    one = asperity.Surface.of(m0=1e-12, m2=1e-4, m4=5e4)
-    numbers = (one.asperity_radius, one.asperity_density, one.asperity_height_std)
-    scenes = [asperity.Scene(INTERFACE, of, 3e-5) for of in (one, asperity.Surface(*numbers))]
-    found, wanted = (force(scene, "ke-pairs", 1.0) for scene in scenes)
-    assert found == pytest.approx(wanted, rel=1e-12)
-
-
 def test_separations_of_pairs_are_those_of_both_surfaces_on_one_scene_and_on_several() -> None:
     std = math.sqrt(2) * SURFACE.asperity_height_std
     ke = asperity.model("ke-pairs")

@@ -38,15 +38,6 @@ def test_a_scan_is_read_levelled_filtered_and_smoothed(tmp_path: Path) -> None:
     assert smooth.surface().asperity_radius > 1.05 * scan.surface().asperity_radius
     with pytest.raises(ValueError, match="unit of"):
         asperity.read(tmp_path / "scan.txt")
-    # Too much is missing, as the program has it.
-    holes = waves(0.0)
-    holes[:30] = np.nan
-    np.save(tmp_path / "holes.npy", holes)
-    with pytest.raises(ValueError, match="missing"):
-        asperity.read(tmp_path / "holes.npy", unit="m", pixel_size=2e-6)
-    assert asperity.read(
-        tmp_path / "holes.npy", unit="m", pixel_size=2e-6, max_missing=0.5
-    ).missing_share == pytest.approx(30 / 96)
 
 
 def test_two_surfaces_and_measured_heights_make_scenes(tmp_path: Path) -> None:

@@ -157,24 +157,6 @@ def test_once_built_a_python_model_is_never_called(scene: asperity.Scene) -> Non
     assert sum(one.calls for one in laws) == calls
 
 
-def test_a_joint_table_samples_a_python_model_some_thousand_times(scene: asperity.Scene) -> None:
-    laws: list[KogutEtsion] = []
-
-    def made(one: asperity.Asperity) -> KogutEtsion:
-        laws.append(KogutEtsion(one))
-        return laws[-1]
-
-    made.force = None  # type: ignore[attr-defined]
-    for law in ("hertz", "brake", "etsion"):
-        mine, theirs = (asperity.model(m).joint_table(scene, 1.0, 3.0, law) for m in (made, "ke"))
-        way = np.array([1.5, 1.6, 1.8, 1.2, 1.4, 1.1])
-        np.testing.assert_allclose(mine.history(way)[0], theirs.history(way)[0], rtol=1e-12)
-        calls = sum(one.calls for one in laws)
-        # More than a million values were asked.
-        assert 0 < calls < 5000
-        laws.clear()
-
-
 def test_a_stiffness_of_its_own_is_integrated(scene: asperity.Scene) -> None:
     curve = asperity.model(OwnStiffness).solve(scene, [0.0, 1.0], QUANTITIES)
     assert (np.abs(curve.stiffness / curve.tangent - 1.0) > 0.1).all()
@@ -182,15 +164,6 @@ def test_a_stiffness_of_its_own_is_integrated(scene: asperity.Scene) -> None:
     law = asperity.model(OwnStiffness).law(scene, "stiffness", [w, 2 * w])
     force = asperity.model("ke").law(scene, "force", [w, 2 * w])
     np.testing.assert_allclose(law, force / [w, 2 * w], rtol=1e-14)
-
-
-def test_loads_lead_to_separations(scene: asperity.Scene) -> None:
-    loads = [0.1, 10.0, 1000.0]
-    wanted = asperity.model("ke").separation_at(scene, loads)
-    for own in (KogutEtsion, Undeclared):
-        np.testing.assert_allclose(
-            asperity.model(own).separation_at(scene, loads), wanted, atol=1e-9
-        )
 
 
 def test_many_scenes_share_integrals(scene: asperity.Scene) -> None:

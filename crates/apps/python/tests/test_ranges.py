@@ -30,10 +30,6 @@ def test_keys_are_kept_and_single_numbers_are_those_in_the_middle() -> None:
     assert area[0] == pytest.approx(area[1], rel=1e-12)
     assert area[0] != pytest.approx(area[2], rel=1e-3)
     assert ground.surface == ground.at("middle").surface
-    with pytest.raises(ValueError, match="upper"):
-        ground.at("most")
-    with pytest.raises(ValueError, match="finish is missing"):
-        asperity.Scene(PAIR, {"ra": "0.8 um"}, nominal_area=1e-4)
 
 
 def test_ranges_are_those_of_the_corners() -> None:

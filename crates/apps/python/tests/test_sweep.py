@@ -90,24 +90,6 @@ def test_separations_in_metres(scene: asperity.Scene) -> None:
     assert abs(result.force[0, 0] / over - 1.0) < 1e-9
 
 
-def test_a_plasticity_index_determines_the_surface(scene: asperity.Scene) -> None:
-    inputs = {"separation": 1.0, "plasticity_index": [0.5, 4.0], "hardness": [1e9, 2e9]}
-    result = asperity.sweep(scene, inputs, "gw")
-    interface = scene.replace(hardness=1e9).interface
-    old = scene.surface
-    surface = asperity.Surface.of(
-        plasticity_index=4.0,
-        roughness_parameter=old.roughness_parameter,
-        asperity_height_std=old.asperity_height_std,
-        interface=interface,
-    )
-    alone = asperity.Scene(interface, surface, scene.nominal_area)
-    wanted = asperity.model("gw").solve(alone, 1.0).force
-    assert abs(result.force.sel(plasticity_index=4.0, hardness=1e9) / wanted - 1.0) < 1e-9
-    with pytest.raises(ValueError, match="asperity_radius"):
-        asperity.sweep(scene, {**inputs, "asperity_radius": 1e-4}, "gw")
-
-
 def test_rows_that_are_refused_raise_or_are_masked(scene: asperity.Scene) -> None:
     inputs = {"separation": 1.0, "hardness": [1e9, 2e9, -1e9]}
     with pytest.raises(ValueError, match="hardness from 2: "):

@@ -63,11 +63,3 @@ def test_a_scene_file_varies_by_its_keys() -> None:
         )
         assert abs(value / alone.tangent - 1.0) < 1e-9
     asperity.Scene.parse(varied[1].to_toml())
-
-
-def test_the_second_surface_has_names_of_its_own() -> None:
-    text = FILE.split("[surface]")[0] + "[surface]\nm0 = 1e-12\nm2 = 1e-4\nm4 = 5e4\n"
-    other = "counterface = { m0 = 4e-13, m2 = 2e-5, m4 = 3e4 }\n"
-    scene = asperity.Scene.parse(text + other).replace(counterface_m0=5e-13)
-    assert scene == asperity.Scene.parse(text + other.replace("4e-13", "5e-13"))
-    assert scene != asperity.Scene.parse(text + other)

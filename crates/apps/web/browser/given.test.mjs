@@ -146,3 +146,18 @@ test("other surfaces", async () => {
   // A table is in the middle of the ranges.
   assert.deepEqual([(await page.all("#export-model option")).length, ...(await page.disabled("save-table"))], [3, false]);
 });
+
+test("curved bodies", async () => {
+  await page.scene(example("ground-steel"));
+  await page.change([field("curvature.radius"), "10 mm"]);
+  assert.deepEqual(await page.all(field("nominal_area")), []);
+  await page.change(["#load", "50 N"]);
+  const { value } = await page.cell("answer", "peak-pressure");
+  // By the program.
+  assert.ok(Math.abs(value / 878851160.73 - 1) < 1e-8, `${value}`);
+  await page.change(["#load", "5 MPa"]);
+  assert.match(await page.text("load-error"), /no nominal area/);
+  await page.change(["#load", "20 N"], [field("curvature.radius"), ""]);
+  assert.equal(await page.value("field-nominal-area"), "1 cm2");
+  assert.deepEqual(await state(), GOOD);
+});

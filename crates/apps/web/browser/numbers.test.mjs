@@ -88,18 +88,19 @@ test("boundary elements agree", { skip: !program }, async () => {
   await page.scene(example("wheel-rail"));
   await page.file("scan.txt", matrix());
   await page.click("leaks");
+  await page.click("add-seal");
   await page.click("solve");
   await page.browser.until(READY);
   const solved = await page.solved();
   const path = saved(await page.value("scene"));
-  const quantities = ["tangent", "unloading-stiffness", "hydraulic-gap-x", "hydraulic-gap-y"];
+  const quantities = ["tangent", "unloading-stiffness", "hydraulic-gap-x", "hydraulic-gap-y", "leak"];
   const wanted = rows("bem", path, "--pressure", solved.map(({ pressure }) => pressure).join(), "--quantity", quantities.join());
   assert.equal(wanted.length, solved.length);
   for (const [k, row] of wanted.entries()) {
     const one = solved[k];
     assert.ok(Math.abs(one.pressure / row.pressure_Pa - 1) < 1e-12);
     assert.ok(Math.abs(one["area-fraction"] - row.area_fraction) <= 2 / 4096, `${one["area-fraction"]} ${row.area_fraction}`);
-    for (const [quantity, within] of [["mean-gap", 1e-7], ["tangent", 1e-3], ["unloading-stiffness", 1e-6], ["hydraulic-gap-x", 1e-6], ["hydraulic-gap-y", 1e-6]]) {
+    for (const [quantity, within] of [["mean-gap", 1e-7], ["tangent", 1e-3], ["unloading-stiffness", 1e-6], ["hydraulic-gap-x", 1e-6], ["hydraulic-gap-y", 1e-6], ["leak-x", 1e-6]]) {
       const found = column(row, quantity);
       assert.ok(Math.abs(one[quantity] - found) <= within * Math.abs(found), `${quantity}: ${one[quantity]}, the program: ${found}`);
     }

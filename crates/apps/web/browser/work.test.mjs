@@ -138,15 +138,18 @@ test("scans are solved", async () => {
   assert.deepEqual(await page.disabled("solve"), [false]);
   await page.change(["#load", "60 N"]);
   await page.click("leaks");
+  await page.click("add-seal");
+  // Helium instead of the first of the list.
+  await page.change(["#field-seal-gas", "helium"], ["#field-seal-width", "300 mm"]);
+  assert.match(await page.value("scene"), /\[seal\][^[]*width = "300 mm"[^[]*gas = "helium"/s);
   await page.click("solve-load");
-  await page.change(["#leak-viscosity", "2 mPa s"], ["#leak-pressure_drop", "3 bar"]);
-  await page.browser.until(`return document.querySelector("#solved [data-quantity=flow-x]")`, "a flow");
-  // A square: h³ Δp/(12 μ).
+  await page.browser.until(`return document.querySelector("#solved [data-quantity=leak-x]")`, "a leak");
+  // mbar l/s are R T times kg/s.
   const [solved] = await page.solved();
-  for (const way of ["x", "y"]) assert.ok(Math.abs(solved[`flow-${way}`] / (solved[`hydraulic-gap-${way}`] ** 3 * 3e5 / 24e-3) - 1) < 1e-13);
+  for (const way of ["x", "y"]) assert.ok(Math.abs(solved[`leak-${way}-mbar-l-per-s`] / (solved[`leak-${way}`] * 10 * 2077.264 * 293.15) - 1) < 1e-5);
   assert.equal((await page.all("#solved button")).length, 2);
-  await page.change(["#leak-viscosity", "46 cSt"]);
-  assert.deepEqual([await page.all("#fluid [aria-invalid=true]", "id"), (await page.all("#solved [data-quantity=flow-x]")).length], [["leak-viscosity"], 0]);
+  await page.change(["#field-seal-length", "2 mPa"]);
+  assert.deepEqual([await page.all("#fluid [aria-invalid=true]", "id"), (await page.all("#solved [data-quantity=leak-x]")).length], [["field-seal-length"], 0]);
 });
 
 // A fresh page in which a script runs before all others.

@@ -82,6 +82,7 @@ pub(crate) fn edit(text: &str, changes: &[Change]) -> Result<String, Refusal> {
             continue;
         }
         set(&mut document, change)?;
+        bend(&mut document, &change.path);
         for number in numbers_of_material(change, &known) {
             set(&mut document, &number)?;
         }
@@ -186,6 +187,21 @@ fn numbers_of_material(change: &Change, known: &BTreeMap<String, String>) -> Vec
     BODY.iter().map(number).collect()
 }
 
+/// Of curved bodies, or of flat ones again, after a change of this path: bodies have a curvature or
+/// a nominal area.
+fn bend(document: &mut DocumentMut, path: &str) {
+    if !path.starts_with("curvature.") {
+        return;
+    }
+    let radii = document.get("curvature").and_then(Item::as_table_like);
+    if radii.is_some_and(|radii| !radii.is_empty()) {
+        document.remove("nominal_area");
+    } else {
+        document.remove("curvature");
+        document.insert("nominal_area", toml_edit::value("1 cm2"));
+    }
+}
+
 /// Takes the second body away, or brings it back, alike the first.
 fn set_rigid(document: &mut DocumentMut, rigid: bool) -> Result<(), Refusal> {
     let bodies = document.get_mut("body").and_then(Item::as_array_of_tables_mut);
@@ -252,6 +268,16 @@ mod tests {
         let wanted = wanted.replace("hardness = 2e9\n", "").replace(" # hard", "");
         let wanted = wanted.replace(" # steel", "");
         assert_eq!(edited, format!("{wanted}\n[options]\nforce = \"vertical\"\n"));
+    }
+
+    #[test]
+    fn bodies_are_curved_by_a_radius_and_flat_without_one() {
+        let curved = edit(TEXT, &[change("curvature.radius", Some("10 mm"))]).unwrap();
+        assert_eq!(fields(&curved)["curvature.radius"], "10 mm");
+        assert!(!fields(&curved).contains_key("nominal_area"));
+        let flat = fields(&edit(&curved, &[change("curvature.radius", None)]).unwrap());
+        assert_eq!(flat["nominal_area"], "1 cm2");
+        assert!(!flat.keys().any(|path| path.starts_with("curvature")));
     }
 
     #[test]

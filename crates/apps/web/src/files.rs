@@ -2,7 +2,7 @@
 
 use asperity::short;
 use asperity_topography::TopographyError::{
-    PixelSizeMissing, TooManyMissing, UnitMissing, UnknownName,
+    PixelSizeMissing, TooManyMissing, Undecided, UnitMissing, UnknownName,
 };
 use asperity_topography::{Estimator, ReadOptions, Topography, TopographyError};
 
@@ -30,16 +30,16 @@ pub(crate) fn admit(name: &str, size: u64) -> Result<(), Refusal> {
     Err(Refusal::at("surface.file", reason))
 }
 
-/// Refuses a file that no keys of a scene make usable: unit, pixel size and channel can be given;
+/// Refuses a file that no keys of a scene make usable: unit, pixel size and the options of texts
+/// can be given;
 /// a rough surface cannot. Where many points are missing, the answer has the `max_missing` that
 /// uses the others.
 pub(crate) fn usable(name: &str, bytes: &[u8]) -> Result<Value, Refusal> {
     let refused = |reason: String| Err(Refusal::at("surface.file", format!("{name}: {reason}")));
     let read = asperity_topography::read_bytes(name, bytes, &ReadOptions::default());
     match read.and_then(measurable) {
-        Ok(()) | Err(UnitMissing | PixelSizeMissing | UnknownName { field: "channel", .. }) => {
-            Ok(Value::Null)
-        }
+        Ok(()) | Err(UnitMissing | PixelSizeMissing | Undecided { .. }) => Ok(Value::Null),
+        Err(UnknownName { field: "channel", .. }) => Ok(Value::Null),
         Err(TooManyMissing { share, limit }) => {
             let [percent, usual] = [100.0 * share, 100.0 * limit].map(short);
             let fact = format!("{percent} % of the points are missing");
@@ -74,6 +74,8 @@ mod tests {
         let refused = usable("a.x3p", b"PK\x03\x04 nothing").unwrap_err();
         assert_eq!(refused.field.as_deref(), Some("surface.file"));
         assert!(usable("a.txt", "nan nan\n".repeat(9).as_bytes()).is_err());
+        // `channel` decides.
+        assert!(usable("a.txt", format!("{numbers}# other\n{numbers}").as_bytes()).is_ok());
     }
 
     #[test]

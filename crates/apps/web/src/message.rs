@@ -51,9 +51,6 @@ pub(crate) enum Message {
     Draw(Draw),
     /// The numbers of the scan, and the shape of its heights.
     Scan,
-    /// The flows \[m³/s\] of a fluid through hydraulic gaps \[m\] along x and y, with viscosity and
-    /// fall of the pressure as typed.
-    Flow { viscosity: String, pressure_drop: String, gaps: Vec<[f64; 2]> },
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },
     /// Why models have no such table in a form.

@@ -33,7 +33,7 @@ type Found<'r> = (&'r str, Option<f64>, Option<[f64; 2]>);
 /// Curves of rows against the load, with the load marked, the spread of the models shaded and
 /// boundary elements as points.
 pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> {
-    let load = Load::of(&asked.load, &file.scene)?;
+    let load = Load::of(&asked.load, file)?;
     let columns = columns(Some(file));
     let heads: Vec<String> =
         columns.iter().flat_map(|column| column.heads(!file.unknowns().is_empty())).collect();

@@ -3,11 +3,11 @@
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 
-use asperity::bem::{Bem, BoundaryElements, Direction, Leak, LoadCase, Progress, Solution};
+use asperity::bem::{Bem, BoundaryElements, Direction, LoadCase, Progress, Solution};
 use asperity::{ContactError, Quantity, Separation, SeparationUnit, short};
-use asperity_answer::{Cell, FLOWS, Press, Pressed};
+use asperity_answer::{Cell, Press, Pressed};
 use asperity_plot::Map;
-use asperity_scene::{SceneFile, quantity};
+use asperity_scene::SceneFile;
 use asperity_topography::Topography;
 use serde_json::{Value, json};
 
@@ -20,14 +20,40 @@ use crate::shown::{interval, shown};
 use crate::span::Span;
 
 /// Columns of a solution that are no quantities of models: head, unit, label and meaning.
-const OWN: [[&str; 4]; 7] = [
+const OWN: [[&str; 4]; 13] = [
     ["load_N", "N", "load", ""],
     ["plastic_fraction", "", "plastic share", "Share of the pixels that carry the hardness."],
     ["mean_gap_m", "m", "mean gap", "Distance of the mean planes of the two deformed surfaces."],
     ["mean_open_gap_m", "m", "mean open gap", "Mean gap of the pixels out of contact."],
     ["patches", "", "patches", "Number of connected contacts."],
-    ["flow_x_m3_per_s", "m3/s", "flow along x", "From left to right through the scan's outline."],
-    ["flow_y_m3_per_s", "m3/s", "flow along y", "From top to bottom through the scan's outline."],
+    [
+        "leak_x_kg_per_s",
+        "kg/s",
+        "leak along x",
+        "Through the seal, from left to right of the scan.",
+    ],
+    [
+        "leak_y_kg_per_s",
+        "kg/s",
+        "leak along y",
+        "Through the seal, from top to bottom of the scan.",
+    ],
+    ["leak_x_mbar_l_per_s", "mbar l/s", "leak of gas along x", "At the temperature of the gas."],
+    ["leak_y_mbar_l_per_s", "mbar l/s", "leak of gas along y", "At the temperature of the gas."],
+    [
+        "leak_x_m3_per_s",
+        "m3/s",
+        "leak along x",
+        "Through the seal, from left to right of the scan.",
+    ],
+    [
+        "leak_y_m3_per_s",
+        "m3/s",
+        "leak along y",
+        "Through the seal, from top to bottom of the scan.",
+    ],
+    ["tightest_gap_x_m", "m", "tightest gap along x", "On the widest path from side to side."],
+    ["tightest_gap_y_m", "m", "tightest gap along y", "On the widest path from side to side."],
 ];
 
 /// The column of a head, if it is shown.
@@ -59,14 +85,14 @@ pub(crate) fn scan(file: &SceneFile) -> Option<Value> {
     };
     let area = file.scene.nominal_area;
     let of = |pressure: f64| (pressure, shown(pressure * area, "N"));
-    let pressures: Vec<_> = Span::of(&file.scene).solved().into_iter().map(of).collect();
+    let pressures: Vec<_> = Span::of(file).solved().into_iter().map(of).collect();
     Some(json!({
         "rows": rows, "columns": columns, "refused": refused, "fill": fill, "pressures": pressures,
     }))
 }
 
 /// Solves the contact of a scene's scan at mean pressures, with `leaks` also the flow through its
-/// gap: the first before all others, and of these the heaviest first. Events are the progress, a
+/// gap and its seal: the first before all others, and of these the heaviest first. Events are the progress, a
 /// load that is solved, one that failed, and at last the map of the flow at the first load, which
 /// takes about twice as long as a solution.
 pub(crate) fn press(
@@ -81,8 +107,9 @@ pub(crate) fn press(
     }
     let elements = bem.elements(&file.scene.interface)?;
     let mut quantities = quantities(file);
-    let is_leak = |quantity: &Quantity| leaks && quantity.is_of_map();
-    quantities.extend(Quantity::ALL.into_iter().filter(is_leak));
+    let has_seal = file.spec.seal.is_some();
+    let is_leak = |of: &Quantity| of.is_of_map() || has_seal && *of == Quantity::Leak;
+    quantities.extend(Quantity::ALL.into_iter().filter(|of| leaks && is_leak(of)));
     let given: Vec<LoadCase> = pressures.iter().map(|p| LoadCase::MeanPressure(*p)).collect();
     let happened = RefCell::new(happened);
     let tell = |event: Value| (happened.borrow_mut())(event);
@@ -143,7 +170,9 @@ fn solved(press: &Press<'_>, pressed: &Pressed) -> Result<Value, Refusal> {
             (_, Some(reason)) => Err(reason.to_string()),
             _ => continue,
         };
-        if let Some(column) = column(head, file) {
+        // A liquid of a density has its flow in two units.
+        let is_new = |new: &Column| columns.iter().all(|known: &Column| known.id != new.id);
+        if let Some(column) = column(head, file).filter(is_new) {
             cells.push(column.cell(&found));
             columns.push(column);
         }
@@ -191,44 +220,6 @@ fn flow(bem: &Bem, elements: &BoundaryElements, solution: &Solution) -> Result<V
     let map = Map::of_flow(flux.clone(), heights.shape(), heights.pixel());
     let said = |flux| format!("{} times the mean flow", short(flux));
     picture::map(map, heights, caption, &flux, (said, "no flow"))
-}
-
-/// The flows \[m³/s\] through hydraulic gaps \[m\] along x and y of a fluid, with viscosity and
-/// fall of the pressure as typed.
-pub(crate) fn flows(
-    file: &SceneFile,
-    [viscosity, pressure_drop]: [&str; 2],
-    gaps: &[[f64; 2]],
-) -> Result<Value, Refusal> {
-    let viscosity = positive("leak.viscosity", viscosity, "Pa s", "1 mPa s")?;
-    let pressure_drop = positive("leak.pressure_drop", pressure_drop, "Pa", "1 bar")?;
-    if gaps.is_empty() {
-        return Ok(json!({ "head": [], "cells": [] }));
-    }
-    let (leak, bem) = (Leak::new(viscosity, pressure_drop)?, file.bem()?);
-    let columns: Vec<Column> = FLOWS.iter().filter_map(|(.., head)| column(head, file)).collect();
-    let of = |gaps: &[f64; 2]| -> Value {
-        let flow = |k: usize| leak.flow(gaps[k], bem.map(), FLOWS[k].1);
-        let known = |k: usize| Known::new(flow(k), None, Source::Solved);
-        columns.iter().enumerate().map(|(k, column)| column.known(&known(k))).collect()
-    };
-    Ok(json!({ "head": columns, "cells": gaps.iter().map(of).collect::<Value>() }))
-}
-
-/// A number above 0 with its unit: a flow of a wrong unit is wrong by thousands.
-fn positive(field: &str, text: &str, unit: &str, example: &str) -> Result<f64, Refusal> {
-    let text = text.trim();
-    let wrong = |reason: String| Refusal::at(field, reason);
-    if text.is_empty() {
-        return Err(wrong(format!("a flow needs both: write {example}, for example")));
-    }
-    if text.parse::<f64>().is_ok() {
-        return Err(wrong(format!("{text} has no unit: write {example}, for example")));
-    }
-    match quantity(text, unit).map_err(wrong)? {
-        value if value > 0.0 && value.is_finite() => Ok(value),
-        _ => Err(wrong(format!("{text}: a number above 0 was required"))),
-    }
 }
 
 #[cfg(test)]
@@ -313,52 +304,41 @@ mod tests {
         assert_eq!(gaps[0], gaps[1]);
     }
 
-    /// Viscosity and fall of the pressure.
-    const OIL: [&str; 2] = ["1 mPa s", "1 bar"];
+    const SEAL: &str = "\n[seal]\nwidth = 0.1\nlength = 0.002\nupstream_pressure = 1e6\n\
+                        downstream_pressure = 0\n";
 
     #[test]
     fn leaks_are_those_of_the_program() {
-        let (file, events) = pressed(asperity_scene::template(), &[3e8], true);
-        let [.., solved, _, map] = &events[..] else { panic!("{events:?}") };
-        let bem = file.bem().unwrap();
-        let given = [LoadCase::MeanPressure(3e8)];
-        let press = Press::new(&file, &bem, &given, &[Quantity::EffectiveMediumGap]);
-        let press = Press { leak: Leak::new(1e-3, 1e5).ok(), ..press };
-        let mut sheet = Sheet::default();
-        press.solve(&mut sheet, &Silent).unwrap();
-        let same = |found: f64, head: &str| {
-            let wanted = sheet.rows[0][sheet.column(head).unwrap()].number().unwrap();
-            assert!(
-                wanted > 0.0 && (found / wanted - 1.0).abs() < 1e-13,
-                "{head}: {found} {wanted}"
-            );
-            found
-        };
-        let gap = |name: &str| digits(solved, name).unwrap();
-        same(gap("effective-medium-gap"), "effective_medium_gap_m");
-        let gaps =
-            [("hydraulic-gap-x", "hydraulic_gap_x_m"), ("hydraulic-gap-y", "hydraulic_gap_y_m")];
-        let gaps = gaps.map(|(name, head)| same(gap(name), head));
-        let found = flows(&file, OIL, &[gaps]).unwrap();
-        for (k, (.., head)) in FLOWS.iter().enumerate() {
-            same(found["cells"][0][k]["digits"].as_str().unwrap().parse().unwrap(), head);
-            assert_eq!(found["head"][k]["id"], ["flow-x", "flow-y"][k]);
+        for fluid in ["gas = \"helium\"", "viscosity = 1e-3", "viscosity = 1e-3\ndensity = 1e3"] {
+            let text = format!("{}{SEAL}{fluid}\n", asperity_scene::template());
+            let (file, events) = pressed(&text, &[3e8], true);
+            let [.., solved, _, map] = &events[..] else { panic!("{events:?}") };
+            let bem = file.bem().unwrap();
+            let given = [LoadCase::MeanPressure(3e8)];
+            let all = ["effective-medium-gap", "hydraulic-gap-x", "hydraulic-gap-y", "leak"];
+            let quantities = all.map(|name| name.parse().unwrap());
+            let press = Press::new(&file, &bem, &given, &quantities);
+            let mut sheet = Sheet::default();
+            press.solve(&mut sheet, &Silent).unwrap();
+            let flow = if fluid.contains("viscosity = 1e-3") && !fluid.contains("density") {
+                "leak_x_m3_per_s"
+            } else {
+                "leak_x_kg_per_s"
+            };
+            for (name, head) in [
+                ("effective-medium-gap", "effective_medium_gap_m"),
+                ("hydraulic-gap-y", "hydraulic_gap_y_m"),
+                ("leak-x", flow),
+                ("tightest-gap-y", "tightest_gap_y_m"),
+            ] {
+                let wanted = sheet.rows[0][sheet.column(head).unwrap()].number().unwrap();
+                let found = digits(solved, name).unwrap();
+                let is_close = wanted > 0.0 && (found / wanted - 1.0).abs() < 1e-13;
+                assert!(is_close, "{head}: {found} {wanted}");
+            }
+            assert_eq!((&map["event"], &map["pressure"]), (&json!("flow"), &solved["pressure"]));
+            let values = map["map"]["readings"]["values"].as_array().unwrap();
+            assert!(values.iter().any(|value| value == "no flow"));
         }
-        assert_eq!((&map["event"], &map["pressure"]), (&json!("flow"), &solved["pressure"]));
-        let values = map["map"]["readings"]["values"].as_array().unwrap();
-        assert!(values.iter().any(|value| value == "no flow"));
-    }
-
-    #[test]
-    fn a_sealed_contact_has_no_flow() {
-        let (file, events) = pressed(asperity_scene::template(), &[1.8e9], true);
-        let [.., solved, _, map] = &events[..] else { panic!("{events:?}") };
-        assert_eq!(
-            (digits(solved, "hydraulic-gap-x"), digits(solved, "hydraulic-gap-y")),
-            (Some(0.0), Some(0.0))
-        );
-        let values = map["map"]["readings"]["values"].as_array().unwrap();
-        assert!(values.iter().all(|value| value == "no flow"));
-        assert_eq!(flows(&file, OIL, &[[0.0; 2]]).unwrap()["cells"][0][0]["shown"], "0 m³/s");
     }
 }

@@ -20,10 +20,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
         "files": fields::files(text),
         "error": null, "findings": [], "numbers": [], "models": [], "usual": "", "scan": null,
     });
-    let read = parse_handed(text, files).map_err(Refusal::from).and_then(|file| {
-        let curved = "the page answers for flat bodies: write nominal_area, or use `asperity answer` or Python for curved ones";
-        if file.shape().is_none() { Ok(file) } else { Err(Refusal::at("curvature", curved)) }
-    });
+    let read = parse_handed(text, files).map_err(Refusal::from);
     found["fields"] = json!(typed);
     let columns = answer::columns(read.as_ref().ok());
     found["views"] = json!(columns);
@@ -119,9 +116,6 @@ mod tests {
         assert!(file.is_none() && !found["error"].is_null());
         assert_eq!((&found["way"], &found["files"]), (&json!("scan"), &json!(["a.x3p"])));
         assert!(found["unreadable"].is_null());
-        let curved = asperity_scene::template().replace("nominal_area = 1e-4", "");
-        let (found, file) = read(&(curved + "\n[curvature]\nradius = 1\n"), &HandedFiles::new());
-        assert!(file.is_none() && found["error"]["field"] == "curvature", "{found}");
         for text in ["[surface]\nm0 = \n", "\u{fffd}PNG", "a = 1\n", ""] {
             let (found, _) = read(text, &HandedFiles::new());
             assert!(found["unreadable"].is_string(), "{text}: {found}");

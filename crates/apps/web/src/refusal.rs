@@ -48,30 +48,9 @@ impl<E: Error + 'static> From<E> for Refusal {
 
 #[cfg(test)]
 mod tests {
-    use std::path::Path;
-
     use asperity_scene::HandedFiles;
 
     use super::*;
-
-    fn refusal(key: &str, value: &str) -> Refusal {
-        let text = asperity_scene::template();
-        let line = text.lines().find(|line| line.starts_with(key)).unwrap();
-        let text = text.replacen(line, &format!("{key} = {value}"), 1);
-        let error = asperity_scene::parse(&text, Path::new(".")).unwrap_err();
-        Refusal::from(error)
-    }
-
-    #[test]
-    fn a_field_is_named_with_its_line_and_without_both_for_the_form() {
-        for (key, value) in [("poissons_ratio", "\"0,3\""), ("youngs_modulus", "-5")] {
-            let found = refusal(key, value);
-            assert!(found.message.starts_with("line ") && found.line.is_some());
-            assert_eq!(found.field, Some(format!("body[1].{key}")));
-            let short = found.field_message.unwrap();
-            assert!(found.message.ends_with(&short) && !short.contains(key), "{short}");
-        }
-    }
 
     #[test]
     fn a_share_of_missing_points_is_about_its_own_field() {

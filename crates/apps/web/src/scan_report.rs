@@ -1,6 +1,6 @@
 //! The scan of a scene: its picture, its statistics, and its slopes at several distances.
 
-use asperity_plot::{caption_of_surface, draw_surface};
+use asperity_plot::{caption_of_surface, draw_material_ratio, draw_surface};
 use asperity_scene::SceneFile;
 use asperity_topography::{AtDistance, Glance, Level, Reported, Topography};
 use serde::{Deserialize, Serialize};
@@ -21,21 +21,22 @@ pub(crate) struct Shape {
     periodic: bool,
 }
 
-/// The statistics of the scan of a scene, and the shape of its heights.
+/// The statistics and functional parameters of the scan of a scene, and the shape of its heights.
 pub(crate) fn numbers(file: &SceneFile) -> Result<Value, Refusal> {
     let (Some(scan), Some(measured)) = (file.scan(), &file.measured) else {
         return Err(Refusal::new("the scene has no scan"));
     };
     let reported =
         |of: Reported| Some(number(of.name, shown(of.value?, of.unit), of.value?, &of.meaning));
-    let numbers: Value = measured.statistics.numbers().into_iter().filter_map(reported).collect();
+    let all = measured.statistics.numbers().into_iter().chain(scan.functional()?);
+    let numbers: Value = all.filter_map(reported).collect();
     let (columns, pixel_size) = (scan.columns(), scan.pixel_size());
     let shape = Shape { columns, pixel_size, periodic: scan.is_periodic() };
     Ok(json!({ "numbers": numbers, "shape": shape }))
 }
 
-/// The picture of heights \[m\] with its caption, and slopes at several distances: as the scan of a
-/// scene has them, without reading its file again.
+/// The pictures of heights \[m\] and of their material ratio curve, a caption, and slopes at
+/// several distances: as the scan of a scene has them, without reading its file again.
 pub(crate) fn report(heights: Vec<f64>, shape: Shape) -> Result<Value, Refusal> {
     let Shape { columns, pixel_size, periodic } = shape;
     let scan = Topography::new(heights, columns, pixel_size)?.with_periodic(periodic);
@@ -51,8 +52,11 @@ pub(crate) fn report(heights: Vec<f64>, shape: Shape) -> Result<Value, Refusal> 
         ]
     };
     let rows: Vec<_> = scan.scale_dependence().iter().map(row).collect();
+    let (ratio, profile) = (scan.material_ratio()?, scan.is_profile());
+    let curve = draw_material_ratio(&ratio, profile, "material ratio curve")?;
     Ok(json!({
         "svg": draw_surface(&scan, &glance, None)?,
+        "curve": curve,
         "caption": caption_of_surface(&scan, &glance),
         "scales": { "head": SCALES, "rows": rows },
     }))
@@ -74,6 +78,9 @@ mod tests {
         let shape = serde_json::from_value(about["shape"].clone()).unwrap();
         let found = report(file.scan().unwrap().heights().to_vec(), shape).unwrap();
         assert!(found["svg"].as_str().unwrap().starts_with("<svg"));
+        assert!(found["curve"].as_str().unwrap().contains("line of the core"));
+        let names = about["numbers"].as_array().unwrap().iter().map(|number| &number["name"]);
+        assert!(names.clone().any(|name| name == "svk") && names.clone().any(|name| name == "vmc"));
         assert!(found["caption"][0].as_str().unwrap().contains("64 x 64 points"));
         assert_eq!(
             (&about["numbers"][0]["name"], &about["numbers"][0]["shown"]),

@@ -1,7 +1,7 @@
 //! The loads of the slider and of the pictures.
 
-use asperity::{At, Scene};
-use asperity_scene::{NO_LOAD, notation_hint, quantity};
+use asperity::At;
+use asperity_scene::{Hertz, NO_LOAD, SceneFile, Shape, notation_hint, quantity};
 use serde::{Deserialize, Serialize};
 
 use crate::refusal::Refusal;
@@ -17,26 +17,48 @@ const DECADES: f64 = 5.0;
 /// The upper end of the slider over E g or over the hardness: 40 % of an elastic surface touches at
 /// 0.2 E g.
 const HIGHEST: f64 = 0.3;
+/// Loads between those of a curve of curved bodies, each of which is a solution.
+const SOLUTIONS: u32 = 20;
+/// The highest approach of smooth curved bodies on the slider over σ_z.
+const DEEPEST: f64 = 100.0;
 /// Digits of a load of the slider.
 const SLID: usize = 3;
 
-/// A range of mean pressures.
+/// A range of mean pressures; of curved bodies, which have no nominal area, of loads, as if that
+/// were 1 m².
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Span {
     /// The highest \[Pa\].
     high: f64,
+    is_flat: bool,
 }
 
 impl Span {
     /// The range for a scene, up to the smaller of the pressure that brings most of an elastic
     /// surface into contact and a share of the hardness.
-    pub(crate) fn of(scene: &Scene) -> Self {
+    pub(crate) fn of(file: &SceneFile) -> Self {
+        let scene = &file.scene;
         let slope = (2.0 * scene.surface.moments().m2).sqrt();
         let elastic = scene.interface.equivalent_modulus * slope;
         let hardness = scene.interface.softer_hardness();
         let high = HIGHEST * elastic.min(hardness.unwrap_or(f64::INFINITY));
+        let high = file.shape().map_or(high, |shape| highest_load(file, shape, high));
         let one_digit = format!("{high:.0e}").parse().unwrap_or(high);
-        Self { high: if high.is_finite() && high > 0.0 { one_digit } else { 1e8 } }
+        let high = if high.is_finite() && high > 0.0 { one_digit } else { 1e8 };
+        Self { high, is_flat: file.shape().is_none() }
+    }
+
+    /// The place of a pressure.
+    pub(crate) fn at(self, pressure: f64) -> At {
+        if self.is_flat { At::Pressure(pressure) } else { At::Load(pressure) }
+    }
+
+    /// Places to prepare models for: none of curved bodies, which are solved when they are asked.
+    pub(crate) fn prepared(self) -> Vec<At> {
+        if !self.is_flat {
+            return vec![];
+        }
+        self.pressures().into_iter().map(At::Pressure).collect()
     }
 
     /// The pressure at a place of the slider from 0 to 1.
@@ -46,7 +68,8 @@ impl Span {
 
     /// The pressures of a curve.
     pub(crate) fn pressures(self) -> Vec<f64> {
-        (0..=POINTS).map(|k| self.pressure(f64::from(k) / f64::from(POINTS))).collect()
+        let points = if self.is_flat { POINTS } else { SOLUTIONS };
+        (0..=points).map(|k| self.pressure(f64::from(k) / f64::from(points))).collect()
     }
 
     /// The pressures for boundary elements, each four times the one before, from the lightest that
@@ -54,6 +77,20 @@ impl Span {
     pub(crate) fn solved(self) -> Vec<f64> {
         (3..=8).map(|k| self.pressure(f64::from(k) / 8.0)).collect()
     }
+}
+
+/// The load \[N\] at which the peak of smooth bodies is a pressure, or they approach by
+/// [`DEEPEST`], whichever is less.
+fn highest_load(file: &SceneFile, shape: Shape, pressure: f64) -> f64 {
+    let (scene, load) = (&file.scene, 1.0);
+    let hertz = Hertz::new(&shape, scene.interface.equivalent_modulus, load);
+    let (power, approach) = match shape {
+        Shape::Line { radius, .. } => (2.0, hertz.axes[0].powi(2) / radius),
+        _ => (3.0, hertz.approach.unwrap_or(f64::NAN)),
+    };
+    let deepest = DEEPEST * scene.surface.asperity_height_std / approach;
+    let deepest = if power > 2.0 { deepest.powf(1.5) } else { deepest };
+    (pressure / hertz.peak_pressure).powf(power).min(deepest)
 }
 
 /// A load as typed, or as the place of the slider from 0 to 1.
@@ -88,9 +125,9 @@ pub(crate) struct Load {
 
 impl Load {
     /// A load as typed or slid to, on a scene.
-    pub(crate) fn of(keys: &LoadKeys, scene: &Scene) -> Result<Self, Refusal> {
-        let (span, area) = (Span::of(scene), scene.nominal_area);
-        let known = |unit: &str| if unit == PASCAL { PASCAL } else { NEWTON };
+    pub(crate) fn of(keys: &LoadKeys, file: &SceneFile) -> Result<Self, Refusal> {
+        let (span, area) = (Span::of(file), file.scene.nominal_area);
+        let known = |unit: &str| if unit == PASCAL && span.is_flat { PASCAL } else { NEWTON };
         let wrong = |reason: String| Refusal::at("load", format!("load: {reason}"));
         let beside = known(&keys.unit);
         let mut text = match keys.position.map(|position| span.pressure(position)) {
@@ -105,7 +142,11 @@ impl Load {
                 (beside, number)
             }
             (Ok(newtons), Err(_)) => (NEWTON, newtons),
-            (Err(_), Ok(pascals)) => (PASCAL, pascals),
+            (Err(_), Ok(pascals)) if span.is_flat => (PASCAL, pascals),
+            (Err(_), Ok(_)) => {
+                let why = "is a pressure, and curved bodies have no nominal area: write a load";
+                return Err(wrong(format!("{text:?} {why}, 50 N for example")));
+            }
             (Err(_), Err(_)) => {
                 let hint = notation_hint(&text).unwrap_or(
                     "is neither a load nor a pressure: write 2 kN or 5 MPa, for example",
@@ -127,7 +168,8 @@ impl Load {
         }
         let (at, other) = match unit {
             PASCAL => (At::Pressure(pascals), shown(newtons, NEWTON)),
-            _ => (At::Load(newtons), shown(pascals, PASCAL)),
+            _ if span.is_flat => (At::Load(newtons), shown(pascals, PASCAL)),
+            _ => (At::Load(newtons), "on curved bodies".into()),
         };
         let place = (1.0 + (pascals / span.high).log10() / DECADES).clamp(0.0, 1.0);
         let position = if pascals > 0.0 { place } else { 0.0 };
@@ -139,9 +181,8 @@ impl Load {
 mod tests {
     use super::*;
 
-    fn scene() -> Scene {
-        let file = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
-        file.unwrap().scene
+    fn scene() -> SceneFile {
+        asperity_scene::parse(asperity_scene::template(), std::path::Path::new(".")).unwrap()
     }
 
     #[test]

@@ -64,12 +64,14 @@ pub(crate) fn form() -> Value {
     let other: Vec<_> = other.collect();
     json!({
         "area": Key::find("", "nominal_area").map(field),
+        "curvature": of(&|key| key.subject == Subject::Curvature),
         "body": of(&|key| key.subject == Subject::Body),
         "interface": of(&|key| key.subject == Subject::Interface),
         "ways": BTreeMap::from(ways),
         "other": other,
         "more": of(&is_more),
         "every": of(&|key| key.subject == Subject::Surface),
+        "seal": of(&|key| key.subject == Subject::Seal),
     })
 }
 
@@ -223,45 +225,27 @@ mod tests {
 
     #[test]
     fn a_surface_is_the_same_in_every_way() {
-        let text = include_str!("../../../answer/scene/examples/ground-steel.toml");
-        let folder = std::path::Path::new(".");
-        let file = asperity_scene::parse(text, folder).unwrap();
-        assert_eq!(way(&fields(text)), "moments");
-        for (name, _) in &WAYS[2..] {
-            let edited = described(text, name, &file).unwrap();
-            assert_eq!(way(&fields(&edited)), *name);
-            let found = asperity_scene::parse(&edited, folder).unwrap().scene.surface;
-            let wanted = file.scene.surface;
-            let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 5e-5, "{name}: {a} {b}");
-            near(found.asperity_radius, wanted.asperity_radius);
-            near(found.asperity_density, wanted.asperity_density);
-            near(found.asperity_height_std, wanted.asperity_height_std);
+        let ground = include_str!("../../../answer/scene/examples/ground-steel.toml");
+        let (head, _) = asperity_scene::template().split_once("\n[surface]").unwrap();
+        let by_slope = "surface_height_std = 1.1e-6\nasperity_density = 2e8\nmean_slope = 0.03";
+        let by_slope = format!("{head}\n[surface]\n{by_slope}\n");
+        for text in [ground, &by_slope] {
+            let file = parse(text);
+            for (name, _) in &WAYS[2..] {
+                let edited = described(text, name, &file).unwrap();
+                assert_eq!(way(&fields(&edited)), *name);
+                let [found, wanted] = [parse(&edited), file.clone()].map(|f| f.scene.surface);
+                let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 5e-5, "{name}: {a} {b}");
+                near(found.asperity_radius, wanted.asperity_radius);
+                near(found.asperity_density, wanted.asperity_density);
+                near(found.asperity_height_std, wanted.asperity_height_std);
+            }
+            let scan = fields(&with_scan(text, "a \"b\".x3p").unwrap());
+            assert_eq!((way(&scan), scan["surface.file"].as_str()), ("scan", "a \"b\".x3p"));
+            let of_others = ["m0", "periodic", "mean_slope"];
+            assert!(of_others.iter().all(|key| !scan.contains_key(&format!("surface.{key}"))));
+            assert!(["scan", "x"].iter().all(|way| described(text, way, &file).is_err()));
         }
-        let found = fields(&with_scan(text, "a \"b\".x3p").unwrap());
-        assert_eq!((way(&found), found["surface.file"].as_str()), ("scan", "a \"b\".x3p"));
-        assert!(!found.contains_key("surface.m0") && !found.contains_key("surface.periodic"));
-        for way in ["scan", "x"] {
-            assert!(described(text, way, &file).is_err());
-        }
-    }
-
-    #[test]
-    fn a_surface_given_by_its_slope_can_be_described_otherwise() {
-        let folder = Path::new(".");
-        let template = asperity_scene::template();
-        let (head, _) = template.split_once("\n[surface]").unwrap();
-        let surface = "surface_height_std = 1.1e-6\nasperity_density = 2e8\nmean_slope = 0.03";
-        let text = format!("{head}\n[surface]\n{surface}\n");
-        let file = asperity_scene::parse(&text, folder).unwrap();
-        for (name, _) in &WAYS[2..] {
-            let edited = described(&text, name, &file).unwrap();
-            assert_eq!(way(&fields(&edited)), *name);
-            let found = asperity_scene::parse(&edited, folder).unwrap().scene.surface;
-            let ratio = found.asperity_radius / file.scene.surface.asperity_radius;
-            assert!((ratio - 1.0).abs() < 5e-5, "{surface}, {name}: {ratio}");
-        }
-        let scan = fields(&with_scan(&text, "a.x3p").unwrap());
-        assert!(!scan.contains_key("surface.mean_slope"));
     }
 
     fn parse(text: &str) -> SceneFile {
@@ -308,7 +292,7 @@ mod tests {
     #[test]
     fn every_number_of_the_form_has_its_unit() {
         let form = form();
-        let lists = ["body", "interface", "more", "every", "other"].map(|list| &form[list]);
+        let lists = ["body", "interface", "more", "every", "other", "seal"].map(|list| &form[list]);
         let ways = form["ways"].as_object().unwrap().values();
         let all = lists.into_iter().chain(ways).flat_map(|list| list.as_array().unwrap());
         let mut count = 0;

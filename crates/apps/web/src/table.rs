@@ -1,7 +1,7 @@
 //! Tables of the page for finite-element programs.
 
 use asperity::{At, Tolerance};
-use asperity_answer::{Export, Sheet, Silent, Subject, TableFormat, UnitSystem};
+use asperity_answer::{Export, Nodes, Sheet, Silent, Subject, TableFormat, UnitSystem};
 use asperity_scene::SceneFile;
 use serde_json::{Value, json};
 
@@ -44,22 +44,13 @@ fn text(
     format: TableFormat,
     units: UnitSystem,
 ) -> Result<String, Refusal> {
-    let (model, span) = (file.model(id)?, Span::of(&file.scene));
+    let (model, span) = (file.model(id)?, Span::of(file));
     let ends = [0.2, 1.0].map(|position| At::Pressure(span.pressure(position)));
     let subject =
         Subject { file, name: "", id: "", model: &model, tolerance: Tolerance::default() };
-    let (nodes, max_error, conductance, friction) = (2, Some(ERROR), None, None);
-    let export = Export {
-        subject,
-        ends,
-        nodes,
-        log: false,
-        max_error,
-        format,
-        units,
-        conductance,
-        friction,
-    };
+    let (max_error, conductance, friction) = (Some(ERROR), None, None);
+    let nodes = Nodes::Range { ends, count: 2, log: false, max_error };
+    let export = Export { subject, nodes, format, units, conductance, friction };
     Ok(export.answer(&mut Sheet::default(), &Silent).map_err(Refusal::new)?.text)
 }
 

@@ -109,12 +109,6 @@ fn messages() {
     );
     let draw = |rows: Value| json!({ "call": "draw", "rows": rows, "view": "tangent", "load": { "text": "9 N" }, "solved": [] });
     heard.ask("no model drawn", draw(json!([])));
-    for fluid in [["46 cSt", "1 bar"], ["20", "1 bar"], ["-1 Pa s", "1 bar"], ["1 Pa s", ""]] {
-        let [viscosity, drop] = fluid;
-        let asked =
-            json!({ "call": "flow", "viscosity": viscosity, "pressure_drop": drop, "gaps": [] });
-        heard.ask(&format!("{fluid:?}"), asked);
-    }
     for link in ["AAAA", "eyJ2ZXJzaW9uIjoyfQ"] {
         heard.ask("link", json!({ "call": "unlink", "link": link }));
     }
@@ -139,6 +133,10 @@ fn messages() {
     }
     heard.show("Ra alone", GROUND);
     heard.answer("100 N");
+    let area = template.lines().find(|line| line.starts_with("nominal_area")).unwrap();
+    heard.show("a ball", &(template.replace(area, "") + "\n[curvature]\nradius = \"10 mm\"\n"));
+    heard.answer("50 N");
+    heard.answer("5 MPa");
     let adhesive = include_str!("../../../answer/scene/examples/elastomer-on-glass.toml");
     heard.show("adhesion", &adhesive.replace("rigid_", "work_of_adhesion = 0.05\nrigid_"));
     heard.answer("-1 N");

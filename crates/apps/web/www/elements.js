@@ -19,8 +19,6 @@ class Elements {
   // The loads of the run by their pressure, in words.
   wanted = new Map();
   changed = () => {};
-  // Gives solved loads the flow through their gap.
-  flow = () => {};
 
   // What the scene allows, after every change of it; null for a scene with an error.
   allow(scan, error = !page.shown || page.shown.error) {
@@ -45,7 +43,6 @@ class Elements {
     this.scene = scene;
     this.solved = this.kept.get(scene) ?? [];
     if (this.solved.length > 0) this.table();
-    this.flow();
   }
 
   drop() {
@@ -132,7 +129,6 @@ class Elements {
       this.solved.sort((a, b) => (a.pressure < b.pressure ? -1 : 1));
       this.showNear();
       this.table();
-      this.flow();
       this.changed(event.pressure);
     }
   }
@@ -177,8 +173,7 @@ class Elements {
     const [table, notes] = [$("solved"), $("solved-notes")];
     table.hidden = false;
     // A column a load: so many quantities are wider than the page.
-    const all = this.solved.map(({ head, cells, flow }) => ({ head: [...head, ...(flow?.head ?? [])], cells: [...cells, ...(flow?.cells ?? [])] }));
-    const [, ...rows] = new Map(all.flatMap(({ head }) => head.map((column) => [column.id, column]))).values();
+    const [, ...rows] = new Map(this.solved.flatMap(({ head }) => head.map((column) => [column.id, column]))).values();
     const none = { shown: "not solved; move to this load and press Solve this load" };
     const show = (one, k) => {
       if (!one.maps[k]) return cell(none);
@@ -194,7 +189,7 @@ class Elements {
     })));
     table.tBodies[0].replaceChildren(
       ...rows.map(({ id, label, definition }) => element("tr", {}, element("th", { scope: "row", title: definition }, label),
-        ...all.map(({ cells }) => cell(cells.find(({ quantity }) => quantity === id) ?? none, "bem")))),
+        ...this.solved.map(({ cells }) => cell(cells.find(({ quantity }) => quantity === id) ?? none, "bem")))),
       ...maps.map((name, k) => element("tr", {}, element("th", { scope: "row" }, name), ...this.solved.map((one) => show(one, k)))));
     // What several loads have in common is shown once, for the lightest.
     const lines = new Map();

@@ -70,7 +70,9 @@ export function fill(shown, edits, form) {
   const edit = (changes) => edits(changes, isAnother);
   const has = (start) => Object.keys(fields).some((path) => path.startsWith(start));
   const rigid = fields.rigid_counterface === "true";
-  const kind = [has("interface."), rigid, way].join();
+  const sealed = has("seal.");
+  const curved = has("curvature.");
+  const kind = [has("interface."), rigid, way, sealed, curved].join();
   if (kind !== built) {
     built = kind;
     // Another form keeps the place of the user, and what is being typed there.
@@ -88,12 +90,17 @@ export function fill(shown, edits, form) {
       if (!rigid) bodies.append(body(2, edit, form));
     }
     const [area, ...ofArea] = form.area;
-    bodies.append(field(area, ofArea, edit));
+    const radii = form.curvature.map(([key, ...about]) => field(`curvature.${key}`, about, edit));
+    // Curved bodies have no nominal area.
+    if (!curved) bodies.append(field(area, ofArea, edit));
+    bodies.append(element("details", { id: "curved" }, element("summary", {}, "Curved bodies"), ...radii));
     const ofSurface = ([key, ...about]) => field(`surface.${key}`, about, edit);
     isAnother = false;
     const rest = way === "scan" ? [element("details", { id: "more" }, element("summary", {}, "More about the scan"), ...[...form.more, ...form.every].map(ofSurface))] : form.every.map(ofSurface);
     const ofOther = shown.other ? other(edit, form.other.map(ofSurface)) : [];
     $("surface-fields").replaceChildren(...form.ways[way].map(ofSurface), ...ofOther, ...rest);
+    $("add-seal").hidden = sealed;
+    $("seal").replaceChildren(...(sealed ? form.seal.map(([key, ...about]) => field(`seal.${key}`, about, edit)) : []));
     const again = path && [...document.querySelectorAll("[data-path]")].find((input) => input.dataset.path === path);
     if (again && typed) {
       again.value = value;
@@ -126,6 +133,9 @@ export function fill(shown, edits, form) {
   }
 }
 
+// Options of files, shown where one is given or a file asks for it.
+const ASKED = ["channel", "units", "columns", "skip_lines", "missing", "factor", "delimiter"].map((key) => `surface.${key}`);
+
 // Marks fields with what is wrong or unusual.
 export function mark(error, findings) {
   const of = new Map();
@@ -141,6 +151,7 @@ export function mark(error, findings) {
     note.textContent = text ?? "";
     note.classList.toggle("wrong", severity === "error");
     if (text) unfold(input);
+    if (ASKED.includes(path)) input.closest(".row").hidden = !text && !input.value;
     if (severity === "error") input.setAttribute("aria-invalid", "true");
     else input.removeAttribute("aria-invalid");
   }

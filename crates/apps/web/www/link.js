@@ -46,7 +46,7 @@ export async function openLink(setScene) {
     return { opened: false, message: error.message };
   }
   written = hash;
-  const { scene, models, load, view, scan, random, example, leak = null } = found;
+  const { scene, models, load, view, scan, random, example, leak = false } = found;
   Object.assign(state, { models, load, view, scan, random, example, leak });
   if (random && scan && files.get(scan.name)?.checksum !== scan.checksum) files.set(scan.name, { keys: random, checksum: scan.checksum });
   page.wanted = scan && files.get(scan.name)?.checksum !== scan.checksum ? scan : null;

@@ -50,7 +50,7 @@ function surfaces() {
 function boundaryElements() {
   Object.assign(elements, { changed: redraw, edit });
   elements.readings();
-  leak();
+  leak(edit);
   $("solve").addEventListener("click", () => elements.solve(true));
   $("solve-load").addEventListener("click", () => elements.solve(false));
   $("stop").addEventListener("click", () => elements.stop());

@@ -14,6 +14,7 @@ export function showReport(there) {
   reported = "";
   for (const id of ["scan-caption", "scan-numbers", "scales"]) $(id).replaceChildren();
   noPicture($("scan-picture"));
+  noPicture($("scan-curve"));
 }
 
 // Reports on the scan of the scene after its values, in the worker of slow models: the file was
@@ -27,10 +28,11 @@ async function report() {
   const heights = await desks.quick.send("heights");
   if (page.shown !== shown) return;
   const message = { heights, shape: JSON.stringify(shape) };
-  const { svg, caption, scales } = await desks.slow.send("report", message, undefined, [heights.buffer]);
+  const { svg, curve, caption, scales } = await desks.slow.send("report", message, undefined, [heights.buffer]);
   if (page.shown !== shown) return;
   reported = about(shown);
   picture($("scan-picture"), svg, "map of the heights, their distribution and their spectra");
+  picture($("scan-curve"), curve, "material ratio curve with the line of its core");
   $("scan-caption").replaceChildren(...caption.map((text) => element("p", {}, text)));
   $("scan-numbers").replaceChildren(...numbers.map(({ name, digits, shown, meaning }) =>
     element("tr", {}, element("th", { scope: "row", title: meaning }, ...lowered(name)), element("td", { title: digits }, shown))));

@@ -8,8 +8,8 @@ export const files = new Map();
 export const desks = { quick: new Desk(files), slow: new Desk(files), solver: new Desk(files) };
 
 // What a link restores. The load is typed, with its unit; the example is that which the scene
-// started from; the leak is the fluid, as typed, where flows are solved.
-export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null, example: null, leak: null };
+// started from; the leak is whether flows are solved.
+export const state = { text: "", models: ["gw", "ke", "jg", "persson-fudge"], load: "", view: "area-fraction", scan: null, random: null, example: null, leak: false };
 
 // Answers of the desks: the scene as read from a text, the load on it, the answer there, the values
 // of models, the rows of their curves, the quantity that is drawn and how; why the load was refused or no

@@ -31,10 +31,3 @@ fn a_model_of_ones_own_has_no_findings() {
     assert!(!printed.contains("wrong"), "{printed}");
     assert_eq!(printed.lines().count(), 3);
 }
-
-#[test]
-fn models_are_swapped_by_name_and_by_value() {
-    let printed = run("swap_models");
-    let ke: Vec<&str> = printed.lines().filter(|line| line.starts_with("ke ")).collect();
-    assert!(ke.len() == 2 && ke[0] == ke[1], "{printed}");
-}

@@ -55,7 +55,7 @@ Tolerance {HARD_TOLERANCE:e}, for methods that have one.
         let mut cells = vec![(*model).to_owned(), (*quantity).to_owned()];
         for method in names(&methods) {
             cells.push(match entry(&rows, (model, quantity), method) {
-                Some(row) => format!("{}, {}", duration(row)?, row.max_relative_error),
+                Some(row) => format!("{}, {}", time(row)?, row.max_relative_error),
                 None => String::new(),
             });
         }
@@ -67,8 +67,8 @@ Tolerance {HARD_TOLERANCE:e}, for methods that have one.
     for pair in &pairs {
         let [law, scene] = ["build-law", "build-scene"].map(|build| entry(&rows, *pair, build));
         if let (Some(law), Some(scene)) = (law, scene) {
-            let samples = format!("{}, {}", duration(scene)?, scene.evaluations);
-            text += &markdown_row(&[pair.0, pair.1, &duration(law)?, &samples]);
+            let samples = format!("{}, {}", time(scene)?, scene.evaluations);
+            text += &markdown_row(&[pair.0, pair.1, &time(law)?, &samples]);
         }
     }
     text += &format!("\n## Methods\n\n{}", markdown_head(&["method", "description"], 0));
@@ -110,14 +110,18 @@ fn ratios(text: &mut String, rows: &[Row]) -> Result<()> {
     Ok(())
 }
 
-/// A time with a suitable unit.
-fn duration(row: &Row) -> Result<String> {
-    let (number, unit) = match row.median_ns.parse::<f64>()? {
+fn time(row: &Row) -> Result<String> {
+    Ok(duration(row.median_ns.parse()?))
+}
+
+/// A time \[ns\] with a suitable unit.
+pub fn duration(ns: f64) -> String {
+    let (number, unit) = match ns {
         ns if ns < 1e3 => (ns, "ns"),
         ns if ns < 1e6 => (ns / 1e3, "µs"),
         ns => (ns / 1e6, "ms"),
     };
-    Ok(format!("{} {unit}", significant(number)))
+    format!("{} {unit}", significant(number))
 }
 
 /// One line: processor, cores, compiler, build, date.

@@ -182,15 +182,3 @@ pub fn median_ns(mut call: impl FnMut()) -> f64 {
     }
     median(batches).unwrap_or(0.0)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_time_of_a_call_that_sleeps_is_the_time_it_sleeps() {
-        let found = median_ns(|| std::thread::sleep(Duration::from_millis(2)));
-        assert!((2e6..2e7).contains(&found), "{found}");
-        assert_eq!(median(vec![3.0, 1.0, 2.0]), Some(2.0));
-    }
-}

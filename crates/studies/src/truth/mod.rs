@@ -5,7 +5,7 @@
 //! `crates/answer/judge/data/truth.csv`, which `asperity::Evidence` reads; figures and tables
 //! follow from that text alone.
 
-mod family;
+pub mod family;
 mod feeding;
 mod kept;
 mod ordinary;

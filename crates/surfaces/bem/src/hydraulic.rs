@@ -9,45 +9,12 @@
 
 use asperity_quadrature::bracketed_root;
 
-use crate::height_map::positive;
 use crate::network::{Direction, Network};
 use crate::parallel::inside;
 use crate::{BemError, Boundary, BoundaryElements, HeightMap, Solution};
 
 /// Largest difference of the flows through both faces, relative to them.
 const BALANCE: f64 = 1e-6;
-
-/// A fluid and the fall of its pressure from one side of a scan to the other.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Leak {
-    viscosity: f64,
-    pressure_drop: f64,
-}
-
-impl Leak {
-    /// Viscosity \[Pa s\] and fall of the pressure \[Pa\].
-    ///
-    /// # Errors
-    /// [`BemError::OutOfRange`] for one that is not a positive number.
-    pub fn new(viscosity: f64, pressure_drop: f64) -> Result<Self, BemError> {
-        let viscosity = positive("viscosity", viscosity)?;
-        Ok(Self { viscosity, pressure_drop: positive("pressure drop", pressure_drop)? })
-    }
-
-    /// Its numbers by their names.
-    #[must_use]
-    pub fn numbers(&self) -> [(&'static str, f64); 2] {
-        [("viscosity", self.viscosity), ("pressure_drop", self.pressure_drop)]
-    }
-
-    /// The flow \[m³/s\] through a hydraulic gap \[m\] with the outline of a map: h³ Δp/(12 μ)
-    /// times width over length. It does not depend on their size.
-    #[must_use]
-    pub fn flow(&self, hydraulic_gap: f64, map: &HeightMap, direction: Direction) -> f64 {
-        let [length, width] = outline(map, direction);
-        hydraulic_gap.powi(3) * self.pressure_drop / (12.0 * self.viscosity) * width / length
-    }
-}
 
 /// The gap map of a contact.
 pub(crate) struct GapMap<'a> {

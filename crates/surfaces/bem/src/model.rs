@@ -68,6 +68,12 @@ impl Bem {
         self.note.clone()
     }
 
+    /// The same on [another](HeightMap::another) surface like this periodic one.
+    #[must_use]
+    pub fn another(&self, seed: u64) -> Self {
+        Self { map: self.map.another(seed), ..self.clone() }
+    }
+
     /// The same on every second pixel: see [`HeightMap::half_grid`].
     ///
     /// # Errors

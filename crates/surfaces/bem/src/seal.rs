@@ -74,7 +74,7 @@ impl BoundaryElements {
         let drop = positive("pressure drop", from - to)?;
         let driven = drop * positive("width over length", seal.width_over_length)?;
         let [x, y] = Direction::ALL.map(|along| self.tightest_gap(solution, along));
-        let open = [x?, y?].map(|gap| gap.filter(|gap| *gap >= seal.molecule));
+        let open = [x?, y?].map(|gap| gap.map(|(gap, _)| gap).filter(|gap| *gap >= seal.molecule));
         let mut flows = open.map(|tightest_gap| SealFlow { flow: 0.0, tightest_gap });
         let nodes = match seal.fluid {
             Fluid::Liquid(_) => &[[0.5, 1.0]],
@@ -92,8 +92,8 @@ impl BoundaryElements {
         Ok(flows)
     }
 
-    /// The tightest gap \[m\] on the path from face to face whose tightest gap is largest; `None`
-    /// where no path of open pixels leads there.
+    /// The tightest gap \[m\] on the path from face to face whose tightest gap is largest, and its
+    /// place in the map; `None` where no path of open pixels leads there.
     ///
     /// # Errors
     /// [`BemError::Count`] for the solution of a map of another size.
@@ -101,7 +101,7 @@ impl BoundaryElements {
         &self,
         solution: &Solution,
         direction: Direction,
-    ) -> Result<Option<f64>, BemError> {
+    ) -> Result<Option<(f64, usize)>, BemError> {
         let gaps: Vec<f64> = self.open_gaps(solution)?.collect();
         let ([_, columns], count) = (self.map().shape(), gaps.len());
         let is_periodic = self.boundary_condition() == Boundary::Periodic;
@@ -123,11 +123,11 @@ impl BoundaryElements {
         };
         let inlet = (0..count).filter(|at| place(*at)[0] == 0);
         inlet.for_each(|at| reach(&mut reached, at));
-        let ([end, _], mut tightest) = (place(count - 1), u64::MAX);
+        let ([end, _], mut tightest) = (place(count - 1), (u64::MAX, 0));
         while let Some((gap, at)) = reached.pop() {
-            tightest = tightest.min(gap);
+            tightest = tightest.min((gap, at));
             if place(at)[0] == end {
-                return Ok(Some(f64::from_bits(tightest)));
+                return Ok(Some((f64::from_bits(tightest.0), tightest.1)));
             }
             let (row, column) = (at - at % columns, at % columns + columns);
             let aside = [column - 1, column + 1].map(|column| row + column % columns);

@@ -211,7 +211,7 @@ pub(crate) struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    fn new(setup: &'a BoundaryElements) -> Self {
+    pub(crate) fn new(setup: &'a BoundaryElements) -> Self {
         let mut space =
             HalfSpace::new(&setup.map, setup.modulus, setup.boundary.unwrap_or_default());
         let resolution = note::of_map(&setup.map, setup.boundary, &mut space);
@@ -224,7 +224,11 @@ impl<'a> Run<'a> {
         Self { last, ..Self::new(setup) }
     }
 
-    fn solve(&mut self, given: LoadCase, watch: Watch<'_>) -> Result<Solution, BemError> {
+    pub(crate) fn solve(
+        &mut self,
+        given: LoadCase,
+        watch: Watch<'_>,
+    ) -> Result<Solution, BemError> {
         let area = self.setup.map.area();
         let fields = match given {
             LoadCase::MeanPressure(pressure) => {

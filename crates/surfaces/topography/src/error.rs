@@ -34,7 +34,7 @@ pub enum TopographyError {
         advice: &'static str,
     },
     /// An invalid part of a file or a surface: a line of text, a field, a number of points.
-    #[error("{place}: {found} was found, {required} was required")]
+    #[error("{place}: {found}; required: {required}")]
     Content {
         /// The line, the format and its field, the coordinate, or what is counted.
         place: String,

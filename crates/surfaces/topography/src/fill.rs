@@ -31,7 +31,7 @@ impl Topography {
     pub(crate) fn replace(&mut self, places: &[usize], all: usize) -> Result<(), TopographyError> {
         let (share, limit) = (places.len() as f64 / all as f64, Self::MOST_FILLED);
         if share > limit {
-            let required = format!("at most {limit} to fill them, as in a cropped scan,");
+            let required = format!("at most {limit} to fill them, as in a cropped scan");
             return Err(refuse("missing points", format_args!("a share of {share:.4}"), required));
         }
         let heights = self.harmonic(places)?;
@@ -118,7 +118,7 @@ fn solve(points: &[Point], right: Vec<f64>) -> Result<Vec<f64>, TopographyError>
             *way = rest + square / last * *way;
         }
     }
-    let required = "heights of similar size around them, to fill them,";
+    let required = "heights of similar size around them, to fill them";
     Err(refuse("missing points", format_args!("{} in holes", points.len()), required))
 }
 

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
+use crate::topography::extremes;
 use crate::{
     AtDistance, Level, Outliers, Parameters, PowerLaw, Spectra, Statistics, Texture, Topography,
     TopographyError,
@@ -236,13 +237,8 @@ impl Topography {
         };
         let tilt = [slope(near(last) - near(0), last, dx), slope(far(0) - near(0), foot, dy)];
         let form = self.form(level)?;
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for y in 0..=foot {
-            let row = form.along_row(y);
-            for height in (0..=last).map(row) {
-                (low, high) = (low.min(height), high.max(height));
-            }
-        }
+        let rows = (0..=foot).flat_map(|y| (0..=last).map(form.along_row(y)));
+        let [low, high] = extremes(&rows.collect::<Vec<_>>());
         Ok((tilt, high - low))
     }
 }

@@ -1,5 +1,6 @@
 //! Hills of a surface: Spd and Spc of ISO 25178-2.
 
+use crate::topography::extremes;
 use crate::{Topography, TopographyError};
 
 /// Hills lower than this share of Sz above their highest saddle belong to a neighbour: the usual
@@ -32,15 +33,13 @@ impl Topography {
         if self.is_profile() {
             return Err(TopographyError::SummitsOfProfile);
         }
-        let measured = self.heights().iter().filter(|height| !height.is_nan());
-        let ends = measured.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| {
-            (f64::min(low, *z), f64::max(high, *z))
-        });
-        if ends.0 >= ends.1 {
+        // The comparisons leave missing points out.
+        let [low, high] = extremes(self.heights());
+        if low >= high {
             return Err(TopographyError::Flat { points: self.measured() });
         }
         let peak_of = self.peak_of_points();
-        let hills = self.joined(&peak_of, PRUNED * (ends.1 - ends.0));
+        let hills = self.joined(&peak_of, PRUNED * (high - low));
         let [dx, dy] = self.pixel_size();
         let spd = hills.len() as f64 / (self.measured() as f64 * dx * dy);
         let curvatures: Vec<f64> = hills.iter().filter_map(|at| self.mean_curvature(*at)).collect();

@@ -32,13 +32,9 @@ impl Level {
 
     /// Powers (a, b) of the terms u^a v^b that are fitted.
     fn terms(self, profile: bool) -> Vec<[usize; 2]> {
-        let all: &[[usize; 2]] = match self {
-            Self::None => &[],
-            Self::Mean => &[[0, 0]],
-            Self::Plane => &[[0, 0], [1, 0], [0, 1]],
-            Self::Quadratic => &[[0, 0], [1, 0], [0, 1], [2, 0], [1, 1], [0, 2]],
-        };
-        all.iter().copied().filter(|[_, b]| !profile || *b == 0).collect()
+        const ALL: [[usize; 2]; 6] = [[0, 0], [1, 0], [0, 1], [2, 0], [1, 1], [0, 2]];
+        let count = [0, 1, 3, 6][self as usize];
+        ALL.into_iter().take(count).filter(|[_, b]| !profile || *b == 0).collect()
     }
 }
 

@@ -3,7 +3,6 @@
 use asperity_core::ProfileMoments;
 
 use crate::error::refuse;
-use crate::slopes::{Differences, Mean};
 use crate::{Topography, TopographyError};
 
 /// The spectral moments of a surface: of profiles averaged over all directions, and along the axes.
@@ -91,40 +90,34 @@ impl Topography {
     pub fn moments(&self) -> Result<Moments, TopographyError> {
         let mean = self.mean();
         let m0 = self.central_moment(mean, 2);
-        let of = |all: Differences, what| match (all.slope.mean(), all.curvature.mean()) {
-            (Some(slope), Some(curvature)) => Ok([slope, curvature]),
-            _ => Err(refuse(what, all.slope.count.min(2), "at least 3 in a row")),
+        let of = |axis: usize, what| match self.along(axis, 1, mean) {
+            (Some([slope, of_height]), Some(curvature)) => Ok(([slope, curvature], of_height)),
+            (slope, _) => {
+                Err(refuse(what, 1 + usize::from(slope.is_some()), "at least 3 in a row"))
+            }
         };
-        let [rows, columns] = self.differences(1, mean);
-        let along_rows = of(rows, "measured neighbours along rows")?;
+        let (along_rows, slope_height) = of(0, "measured neighbours along rows")?;
         let [m2, m4] = along_rows;
         let profile = ProfileMoments { m0, m2, m4 };
-        let slope_height = rows.slope_height.mean().unwrap_or_default();
         let mut found =
             Moments { profile, along_rows, along_columns: None, slope_tensor: None, slope_height };
         if self.is_profile() {
             return Ok(found);
         }
-        let [slope, curvature] = of(columns, "measured neighbours along columns")?;
-        found.slope_height = 0.5 * (slope_height + columns.slope_height.mean().unwrap_or_default());
+        let (along_columns, of_height) = of(1, "measured neighbours along columns")?;
+        let [slope, curvature] = along_columns;
+        found.slope_height = 0.5 * (slope_height + of_height);
         // Between holes without two squares side by side, that of an isotropic surface.
         let twist = self.twist().unwrap_or((m4 + curvature) / 6.0);
         found.profile.m2 = 0.5 * (m2 + slope);
         found.profile.m4 = 0.375 * (m4 + 2.0 * twist + curvature);
-        (found.along_columns, found.slope_tensor) = (Some([slope, curvature]), self.slope_tensor());
-        Ok(found)
-    }
-
-    /// The tensor of the slopes in the middle of all squares of four measured points.
-    fn slope_tensor(&self) -> Option<[f64; 3]> {
         let [dx, dy] = self.pixel_size();
-        let (mut sums, mut count) = ([0.0; 3], 0_usize);
-        self.squares(|[[a, b], [c, d]]| {
+        found.along_columns = Some(along_columns);
+        found.slope_tensor = self.means(1, |[[a, b], [c, d]]| {
             let [x, y] = [0.5 * (b - a + d - c) / dx, 0.5 * (c - a + d - b) / dy];
-            sums.iter_mut().zip([x * x, x * y, y * y]).for_each(|(sum, term)| *sum += term);
-            count += 1;
+            [x * x, x * y, y * y]
         });
-        (count > 0).then(|| sums.map(|sum| sum / count as f64))
+        Ok(found)
     }
 
     /// ⟨z_xy²⟩ = ⅔ ⟨t²⟩ + ⅙ ⟨t t'⟩ + ⅙ ⟨t t"⟩ of the twist t of squares, that t' of the next one
@@ -132,34 +125,13 @@ impl Topography {
     /// and of white noise it is a third of that, as of every isotropic surface.
     fn twist(&self) -> Option<f64> {
         let [dx, dy] = self.pixel_size();
-        let (rows, columns) = (self.rows(), self.columns());
-        let open = usize::from(!self.is_periodic());
-        let row = |index: usize| &self.heights()[(index % rows) * columns..][..columns];
-        let line = |y: usize| -> Vec<f64> {
-            let (up, down) = (row(y), row(y + 1));
-            let next = |x: usize| if x + 1 < columns { x + 1 } else { 0 };
-            let twist = |x: usize| down[next(x)] - down[x] - up[next(x)] + up[x];
-            (0..columns - open).map(|x| twist(x) / (dx * dy)).collect()
-        };
-        let [mut own, mut right, mut down] = [Mean::default(); 3];
-        let add = |sum: &mut Mean, a: &[f64], b: &[f64]| {
-            let mut line = Mean::default();
-            a.iter().zip(b).for_each(|(a, b)| line.add(a * b));
-            sum.plus(line);
-        };
-        let lines = rows - open;
-        let mut here = line(0);
-        for y in 0..lines {
-            let below = (y + 1 < lines || open == 0).then(|| line((y + 1) % rows));
-            let beside = if open == 0 { &here[..1] } else { &[] };
-            add(&mut own, &here, &here);
-            add(&mut right, &here[1..], &here);
-            add(&mut right, &here[here.len() - beside.len()..], beside);
-            let Some(below) = below else { break };
-            add(&mut down, &here, &below);
-            here = below;
-        }
-        Some((4.0 * own.mean()? + right.mean()? + down.mean()?) / 6.0)
+        let twist = |a: f64, b: f64, c: f64, d: f64| (d - c - b + a) / (dx * dy);
+        let [own] = self.means(1, |[[a, b], [c, d]]| [twist(a, b, c, d).powi(2)])?;
+        let [right] =
+            self.means(1, |[[a, b, e], [c, d, f]]| [twist(a, b, c, d) * twist(b, e, d, f)])?;
+        let [down] =
+            self.means(1, |[[a, b], [c, d], [e, f]]| [twist(a, b, c, d) * twist(c, d, e, f)])?;
+        Some((4.0 * own + right + down) / 6.0)
     }
 
     /// ⟨(z - mean)^power⟩ \[m^power\].
@@ -169,6 +141,45 @@ impl Topography {
             there.map(|height| (height - mean).powi(power)).sum::<f64>()
         };
         self.heights().chunks(self.columns()).map(row_sum).sum::<f64>() / self.measured() as f64
+    }
+}
+
+/// Principal slopes and the direction of the lay.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Texture {
+    /// Rms slope along the lay, the least of all directions.
+    pub slope_along: f64,
+    /// Rms slope across the lay, the largest.
+    pub slope_across: f64,
+    /// Direction of the lay \[degrees\], above -90 to 90, from the rows (x) towards the columns
+    /// (y). Without meaning where the ratio is near 1.
+    pub direction: f64,
+}
+
+impl Texture {
+    /// Rms slope across the lay over that along it, at least 1: 1 for an isotropic surface;
+    /// `None` for grooves, which have no slope along the lay.
+    #[must_use]
+    pub fn ratio(&self) -> Option<f64> {
+        (self.slope_along > 0.0).then(|| self.slope_across / self.slope_along)
+    }
+}
+
+impl Moments {
+    /// The principal axes of the [tensor of the slopes](Self::slope_tensor); `None` for a profile
+    /// and without slopes.
+    #[must_use]
+    pub fn texture(&self) -> Option<Texture> {
+        let [xx, xy, yy] = self.slope_tensor?;
+        let (mean, half) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
+        let across = mean + half;
+        // The difference would cancel.
+        let along = (xx * yy - xy * xy).max(0.0) / across;
+        let turned = 0.5 * xy.atan2(0.5 * (xx - yy)).to_degrees();
+        let direction = if turned > 0.0 { turned - 90.0 } else { turned + 90.0 };
+        let found = Texture { slope_along: along.sqrt(), slope_across: across.sqrt(), direction };
+        (across > 0.0).then_some(found)
     }
 }
 

@@ -38,7 +38,7 @@ impl Topography {
         let apart = |(a, b): (&f64, f64)| (a - b).abs() > SAME_PIXEL * a;
         let shape = |of: &Self| [of.rows(), of.columns()];
         if shape(self) != shape(other) || one.iter().zip(two).any(apart) {
-            let required = format!("{}, as of the first scan,", grid(self));
+            let required = format!("{}, as of the first scan", grid(self));
             return Err(refuse("second scan", grid(other), required));
         }
         let columns = self.columns();

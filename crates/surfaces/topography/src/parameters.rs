@@ -1,5 +1,6 @@
 //! Height and hybrid parameters of ISO 25178-2.
 
+use crate::topography::extremes;
 use crate::{Topography, TopographyError};
 
 /// Height and hybrid parameters of ISO 25178-2, of heights about their mean.
@@ -44,8 +45,8 @@ impl Topography {
         let moments = self.moments()?;
         let sq = m0.sqrt();
         let measured = || self.heights().iter().filter(|z| !z.is_nan()).map(|z| z - mean);
-        let sp = measured().fold(f64::NEG_INFINITY, f64::max);
-        let sv = -measured().fold(f64::INFINITY, f64::min);
+        let [low, high] = extremes(self.heights());
+        let (sp, sv) = (high - mean, mean - low);
         let sa = measured().map(f64::abs).sum::<f64>() / self.measured() as f64;
         let across = moments.along_columns.map_or(0.0, |[m2, _]| m2);
         Ok(Parameters {
@@ -65,25 +66,17 @@ impl Topography {
         let [dx, dy] = self.pixel_size();
         // √(1 + s) - 1 without cancellation.
         let excess = |square: f64| square / (1.0 + (1.0 + square).sqrt());
-        let (mut sum, mut n) = (0.0, 0_usize);
-        if self.is_profile() {
-            let z = self.heights();
-            let wrap = self.is_periodic().then(|| [z[z.len() - 1], z[0]]);
-            let pairs = z.windows(2).map(|pair| [pair[0], pair[1]]).chain(wrap);
-            for [a, b] in pairs.filter(|pair| !pair.iter().any(|z| z.is_nan())) {
-                sum += excess(((b - a) / dx).powi(2));
-                n += 1;
-            }
-            return (n > 0).then(|| sum / n as f64);
-        }
-        self.squares(|[[a, b], [c, d]]| {
-            let [top, bottom, left, right] =
-                [(b - a) / dx, (d - c) / dx, (c - a) / dy, (d - b) / dy].map(|slope| slope * slope);
-            let corners = [top + left, top + right, bottom + left, bottom + right];
-            sum += 0.25 * corners.into_iter().map(excess).sum::<f64>();
-            n += 1;
-        });
-        (n > 0).then(|| sum / n as f64)
+        let found = match self.is_profile() {
+            true => self.means(1, |[[a, b]]| [excess(((b - a) / dx).powi(2))]),
+            false => self.means(1, |[[a, b], [c, d]]| {
+                let [top, bottom, left, right] =
+                    [(b - a) / dx, (d - c) / dx, (c - a) / dy, (d - b) / dy]
+                        .map(|slope| slope * slope);
+                let corners = [top + left, top + right, bottom + left, bottom + right];
+                [0.25 * corners.into_iter().map(excess).sum::<f64>()]
+            }),
+        };
+        found.map(|[mean]| mean)
     }
 }
 

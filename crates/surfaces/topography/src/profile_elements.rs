@@ -1,6 +1,7 @@
 //! Elements of a profile: Rz and RSm of ISO 21920-2.
 
 use crate::Topography;
+use crate::topography::extremes;
 
 /// Sections of a profile over which Rz is averaged.
 const SECTIONS: usize = 5;
@@ -34,8 +35,8 @@ impl Topography {
         let z: Vec<f64> = self.heights().iter().map(|z| z - mean).collect();
         let height = |k: usize| {
             let section = &z[k * n / SECTIONS..(k + 1) * n / SECTIONS];
-            let highest = section.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            highest - section.iter().copied().fold(f64::INFINITY, f64::min)
+            let [low, high] = extremes(section);
+            high - low
         };
         let rz = (0..SECTIONS).map(height).sum::<f64>() / SECTIONS as f64;
         let starts: Vec<f64> =

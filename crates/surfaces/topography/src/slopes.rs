@@ -1,30 +1,85 @@
 //! Slopes and curvatures of profiles against the distance over which they are taken, and the
 //! anisotropy of a surface, from the second moments of its slopes.
 
+use std::array::from_fn;
+
 use serde::Serialize;
 
 use crate::Topography;
 
 impl Topography {
-    /// Calls `each` with the heights of every square of four measured points; around the edges of
-    /// a periodic surface.
-    pub(crate) fn squares(&self, mut each: impl FnMut([[f64; 2]; 2])) {
+    /// The heights of all windows of R x C points `step` apart, by lines; around the edges of a
+    /// periodic surface. Windows of no side longer than the surface.
+    pub(crate) fn windows<const R: usize, const C: usize>(
+        &self,
+        step: usize,
+    ) -> impl Iterator<Item = impl Iterator<Item = [[f64; C]; R]> + '_> + '_ {
         let (rows, columns) = (self.rows(), self.columns());
-        if rows < 2 {
-            return;
-        }
-        let row = |y: usize| &self.heights()[y % rows * columns..][..columns];
-        let open = usize::from(!self.is_periodic());
-        for y in 0..rows - open {
-            let (up, down) = (row(y), row(y + 1));
-            for x in 0..columns - open {
-                let next = if x + 1 < columns { x + 1 } else { 0 };
-                let four = [[up[x], up[next]], [down[x], down[next]]];
-                if !four.iter().flatten().any(|z| z.is_nan()) {
-                    each(four);
+        let count = |n: usize, side: usize| match n.checked_sub((side - 1) * step) {
+            None | Some(0) => 0,
+            Some(inside) => {
+                if self.is_periodic() {
+                    n
+                } else {
+                    inside
                 }
             }
+        };
+        let ([down, along], around) = (
+            [count(rows, R), count(columns, C)],
+            |at: usize, n: usize| if at < n { at } else { at - n },
+        );
+        (0..down).map(move |y| {
+            let lines: [&[f64]; R] =
+                from_fn(|r| &self.heights()[around(y + r * step, rows) * columns..][..columns]);
+            (0..along).map(move |x| {
+                let at: [usize; C] = from_fn(|c| around(x + c * step, columns));
+                lines.map(|line| at.map(|x| line[x]))
+            })
+        })
+    }
+
+    /// The means of N numbers of all windows, without those with a missing point; summed by lines.
+    /// `None` if there is no window.
+    pub(crate) fn means<const R: usize, const C: usize, const N: usize>(
+        &self,
+        step: usize,
+        of: impl Fn([[f64; C]; R]) -> [f64; N],
+    ) -> Option<[f64; N]> {
+        let (mut sums, mut count) = ([0.0; N], 0_usize);
+        for line in self.windows(step) {
+            let mut sum = [0.0; N];
+            for numbers in line.map(&of).filter(|numbers| !numbers[0].is_nan()) {
+                sum = from_fn(|k| sum[k] + numbers[k]);
+                count += 1;
+            }
+            sums = from_fn(|k| sums[k] + sum[k]);
         }
+        (count > 0).then(|| sums.map(|sum| sum / count as f64))
+    }
+
+    /// The mean square slope over a distance of `step` points, along rows or along columns, and the
+    /// mean of its square times the height above `base`; the mean square curvature.
+    pub(crate) fn along(
+        &self,
+        axis: usize,
+        step: usize,
+        base: f64,
+    ) -> (Option<[f64; 2]>, Option<f64>) {
+        let distance = step as f64 * self.pixel_size()[axis];
+        let slope = |[a, b]: [f64; 2]| {
+            let square = ((b - a) / distance).powi(2);
+            [square, square * (0.5 * (a + b) - base)]
+        };
+        let curvature = |[a, b, c]: [f64; 3]| [((a - 2.0 * b + c) / (distance * distance)).powi(2)];
+        let (slopes, [curvatures]) = match axis {
+            0 => (self.means(step, |[row]| slope(row)), [self.means(step, |[row]| curvature(row))]),
+            _ => (
+                self.means(step, |rows: [[f64; 1]; 2]| slope(rows.map(|[z]| z))),
+                [self.means(step, |rows: [[f64; 1]; 3]| curvature(rows.map(|[z]| z)))],
+            ),
+        };
+        (slopes, curvatures.map(|[mean]| mean))
     }
 }
 
@@ -58,92 +113,16 @@ impl Topography {
     /// Slopes and curvatures over a distance of whole pixels.
     #[must_use]
     pub fn at_distance(&self, step: usize) -> AtDistance {
-        let rms = |mean: Mean| mean.mean().map(f64::sqrt);
-        let [along_rows, along_columns] = self.differences(step, 0.0);
+        let [rows, columns] = [0, 1].map(|axis| self.along(axis, step, 0.0));
+        let slope = |[square, _]: [f64; 2]| square.sqrt();
         AtDistance {
             step,
-            slope_rows: rms(along_rows.slope),
-            slope_columns: rms(along_columns.slope),
-            curvature_rows: rms(along_rows.curvature),
-            curvature_columns: rms(along_columns.curvature),
+            slope_rows: rows.0.map(slope),
+            slope_columns: columns.0.map(slope),
+            curvature_rows: rows.1.map(f64::sqrt),
+            curvature_columns: columns.1.map(f64::sqrt),
         }
     }
-
-    /// The differences of heights so many points apart, along rows and along columns; products with
-    /// heights are of those above `base`.
-    pub(crate) fn differences(&self, step: usize, base: f64) -> [Differences; 2] {
-        let [dx, dy] = self.pixel_size().map(|pixel| step as f64 * pixel);
-        [self.differences_along([0, step], dx, base), self.differences_along([step, 0], dy, base)]
-    }
-
-    /// The same, from heights so many rows and columns apart, at a distance.
-    fn differences_along(
-        &self,
-        [down, right]: [usize; 2],
-        distance: f64,
-        base: f64,
-    ) -> Differences {
-        let (rows, columns, wrap) = (self.rows(), self.columns(), self.is_periodic());
-        let after = |at: usize, steps: usize, n: usize| match at + steps {
-            to if to < n => Some(to),
-            to => (wrap && steps < n).then(|| to % n),
-        };
-        let row = |y: usize| &self.heights()[y * columns..][..columns];
-        let mut sums = Differences::default();
-        for y in 0..rows {
-            let Some(next) = after(y, down, rows).map(row) else { break };
-            let (here, far) = (row(y), after(y, 2 * down, rows).map(row));
-            let mut line = Differences::default();
-            for (x, z) in here.iter().enumerate() {
-                let Some(one) = after(x, right, columns) else { break };
-                let slope = (next[one] - z) / distance;
-                line.slope.add(slope * slope);
-                line.slope_height.add(slope * slope * (0.5 * (z + next[one]) - base));
-                if let Some((far, two)) = far.zip(after(x, 2 * right, columns)) {
-                    let curvature = (z - 2.0 * next[one] + far[two]) / (distance * distance);
-                    line.curvature.add(curvature * curvature);
-                }
-            }
-            sums.slope.plus(line.slope);
-            sums.slope_height.plus(line.slope_height);
-            sums.curvature.plus(line.curvature);
-        }
-        sums
-    }
-}
-
-/// A running mean without values that contain a missing point.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Mean {
-    sum: f64,
-    pub(crate) count: usize,
-}
-
-impl Mean {
-    pub(crate) fn add(&mut self, value: f64) {
-        if !value.is_nan() {
-            self.sum += value;
-            self.count += 1;
-        }
-    }
-
-    pub(crate) fn plus(&mut self, other: Self) {
-        self.sum += other.sum;
-        self.count += other.count;
-    }
-
-    pub(crate) fn mean(self) -> Option<f64> {
-        (self.count > 0).then(|| self.sum / self.count as f64)
-    }
-}
-
-/// Squares of slopes and curvatures along one direction, and squares of slopes times the height
-/// between their two points.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Differences {
-    pub(crate) slope: Mean,
-    pub(crate) curvature: Mean,
-    pub(crate) slope_height: Mean,
 }
 
 #[cfg(test)]

@@ -1,13 +1,17 @@
 //! Summits, points above their eight neighbours, and the density of their heights.
 
 use asperity_core::Surface;
+use nalgebra::{Matrix2, Vector2};
 use serde::Serialize;
 
 use crate::error::refuse;
+use crate::topography::extremes;
 use crate::{Topography, TopographyError};
 
 /// The least number of summits for a meaningful standard deviation.
 const FEWEST: usize = 10;
+/// The largest distance of a summit from the top of its quadric, along rows and columns \[points\].
+const FARTHEST: f64 = 1.0;
 
 /// The summits of a surface.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,9 +55,11 @@ impl Summits {
 
 impl Topography {
     /// The summits: points above their eight neighbours; of equal neighbours, the last in reading
-    /// order. The curvature is that of the least-squares quadric through the nine points: for
-    /// asperities of few points, it is smaller than the second difference of
-    /// [`Topography::moments`]. Points at the edge or next to a missing one are not searched.
+    /// order. The least-squares quadric through the nine points has its top within one point of
+    /// them along rows and columns: a ridge askew to the rows has more points above their
+    /// neighbours than summits. The curvature is that of the quadric: for asperities of few points,
+    /// it is smaller than the second difference of [`Topography::moments`]. Points at the edge or
+    /// next to a missing one are not searched.
     ///
     /// # Errors
     /// [`TopographyError::SummitsOfProfile`] for a profile.
@@ -63,13 +69,20 @@ impl Topography {
         }
         let [dx, dy] = self.pixel_size();
         let (mut heights, mut curvatures) = (Vec::new(), Vec::new());
-        let searched = self.search(1, |[up, middle, down]| {
-            let across = |[a, b, c]: [f64; 3]| a - 2.0 * b + c;
-            let xx = (across(up) + across(middle) + across(down)) / (3.0 * dx * dx);
-            let column = |i: usize| across([up[i], middle[i], down[i]]);
-            let yy = (column(0) + column(1) + column(2)) / (3.0 * dy * dy);
-            heights.push(middle[1]);
-            curvatures.push(-0.5 * (xx + yy));
+        let searched = self.search(1, |lines| {
+            let columns = [0, 1, 2].map(|i| lines.map(|line| line[i]));
+            let mean = |of: [[f64; 3]; 3], weights: [f64; 3]| {
+                of.iter().flatten().zip(weights.iter().cycle()).map(|(z, w)| z * w / 3.0).sum()
+            };
+            let [xx, yy]: [f64; 2] = [lines, columns].map(|of| mean(of, [1.0, -2.0, 1.0]));
+            let [x, y] = [lines, columns].map(|of| mean(of, [-0.5, 0.0, 0.5]));
+            let [up, _, down] = lines;
+            let xy = 0.25 * (up[0] - up[2] - down[0] + down[2]);
+            let bend = Matrix2::new(-xx, -xy, -xy, -yy).cholesky();
+            if bend.is_some_and(|bend| bend.solve(&Vector2::new(x, y)).amax() <= FARTHEST) {
+                heights.push(lines[1][1]);
+                curvatures.push(-0.5 * (xx / (dx * dx) + yy / (dy * dy)));
+            }
         });
         Ok(Summits { heights, curvatures, area: searched as f64 * dx * dy })
     }
@@ -86,27 +99,14 @@ impl Topography {
     /// Calls `found` with each summit and its neighbours `step` away; returns the number of points
     /// with all their neighbours.
     fn search(&self, step: usize, mut found: impl FnMut([[f64; 3]; 3])) -> usize {
-        let (columns, rows) = (self.columns(), self.rows());
-        let (left, top) = if self.is_periodic() { (0, 0) } else { (step, step) };
-        if columns <= 2 * step || rows <= 2 * step {
-            return 0;
-        }
-        let row = |y: usize| &self.heights()[(y % rows) * columns..][..columns];
         let mut searched = 0;
-        for y in top..rows - top {
-            let (up, middle, down) = (row(y + rows - step), row(y), row(y + step));
-            for x in left..columns - left {
-                let (a, b) = ((x + columns - step) % columns, (x + step) % columns);
-                let nine = [up, middle, down].map(|row| [row[a], row[x], row[b]]);
-                if nine.iter().flatten().any(|z| z.is_nan()) {
-                    continue;
-                }
-                searched += 1;
-                let [[p, q, r], [s, z, t], [u, v, w]] = nine;
-                let above_earlier = z >= p && z >= q && z >= r && z >= s;
-                if above_earlier && z > t && z > u && z > v && z > w {
-                    found(nine);
-                }
+        let measured = |nine: &[[f64; 3]; 3]| !nine.iter().flatten().any(|z| z.is_nan());
+        for nine in self.windows(step).flatten().filter(measured) {
+            searched += 1;
+            let [[p, q, r], [s, z, t], [u, v, w]] = nine;
+            let above_earlier = z >= p && z >= q && z >= r && z >= s;
+            if above_earlier && z > t && z > u && z > v && z > w {
+                found(nine);
             }
         }
         searched
@@ -135,8 +135,7 @@ impl Summits {
         let std = self.surface()?.asperity_height_std;
         let n = self.heights.len() as f64;
         let width = 2.15 * std * n.powf(-0.2);
-        let highest = self.heights.iter().copied().fold(f64::MIN, f64::max);
-        let lowest = self.heights.iter().copied().fold(f64::MAX, f64::min);
+        let [lowest, highest] = extremes(&self.heights);
         // No height is further than σ_z √n from the mean, so there are fewer than n bins.
         let bins = ((highest - lowest) / width).floor() as usize + 1;
         let first = 0.5 * (lowest + highest - width * bins as f64);
@@ -211,7 +210,7 @@ mod tests {
     #[test]
     fn few_summits_and_profiles_are_refused() {
         let few = egg_box(40, 2.0, 1.0).summits().unwrap().surface();
-        assert_eq!(few.unwrap_err().to_string(), "summits: 4 was found, at least 10 was required");
+        assert_eq!(few.unwrap_err().to_string(), "summits: 4; required: at least 10");
         let profile = Topography::new(vec![0.0, 1.0, 0.0], 3, [1.0; 2]).unwrap();
         assert!(matches!(profile.summits(), Err(TopographyError::SummitsOfProfile)));
     }

@@ -53,7 +53,7 @@ impl Topography {
     ) -> Result<Self, TopographyError> {
         if heights.is_empty() || columns == 0 || !heights.len().is_multiple_of(columns) {
             let found = format!("{} in rows of {columns}", heights.len());
-            return Err(refuse("heights", found, "a whole number of rows, at least one,"));
+            return Err(refuse("heights", found, "a whole number of rows, at least one"));
         }
         at_most("the number of points", heights.len() as u64, MAX_POINTS as u64)?;
         for value in pixel_size {
@@ -63,7 +63,7 @@ impl Topography {
         }
         if let Some(index) = heights.iter().position(|height| height.abs() > LARGEST) {
             let place = format!("row {}, column {} (from 0)", index / columns, index % columns);
-            let required = "a height of at most 1e9 m in size, or NaN for a missing point,";
+            let required = "a height of at most 1e9 m in size, or NaN for a missing point";
             return Err(refuse(place, format_args!("{:e} m", heights[index]), required));
         }
         let missing = heights.iter().filter(|height| height.is_nan()).count();
@@ -198,6 +198,12 @@ impl Topography {
         let row_sum = |row: &[f64]| row.iter().filter(|height| !height.is_nan()).sum::<f64>();
         self.heights.chunks(self.columns).map(row_sum).sum::<f64>() / self.measured() as f64
     }
+}
+
+/// The least and the largest of numbers; infinite without numbers.
+pub(crate) fn extremes<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> [f64; 2] {
+    let wider = |[low, high]: [f64; 2], z: &f64| [low.min(*z), high.max(*z)];
+    numbers.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], wider)
 }
 
 /// Rows as columns.

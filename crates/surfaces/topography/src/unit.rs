@@ -75,9 +75,10 @@ pub struct Distance {
     pub(crate) unit: Option<LengthUnit>,
 }
 
+/// A number or a text.
 #[derive(Deserialize)]
 #[serde(untagged)]
-enum Given {
+pub(crate) enum Given {
     Number(f64),
     Text(String),
 }

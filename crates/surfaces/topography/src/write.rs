@@ -35,28 +35,16 @@ impl Topography {
     /// The description, by the schema of ISO 5436-2. \[recalled\]
     fn main_xml(&self, sum: &str) -> String {
         let [dx, dy] = self.pixel_size();
-        let kind = if self.is_profile() { "PRF" } else { "SUR" };
-        let axis = |name: &str, kind: &str, number: &str, increment: f64| {
-            format!(
-                "<{name}><AxisType>{kind}</AxisType><DataType>{number}</DataType>\
-                 <Increment>{increment:e}</Increment><Offset>0</Offset></{name}>"
-            )
-        };
-        format!(
-            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
-             <p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\
-             <Record1><Revision>ISO5436 - 2000</Revision><FeatureType>{kind}</FeatureType>\
-             <Axes>{}{}{}</Axes></Record1>\
-             <Record3><MatrixDimension><SizeX>{}</SizeX><SizeY>{}</SizeY><SizeZ>1</SizeZ>\
-             </MatrixDimension><DataLink><PointDataLink>bindata/data.bin</PointDataLink>\
-             <MD5ChecksumPointData>{sum}</MD5ChecksumPointData></DataLink></Record3>\
-             <Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4></p:ISO5436_2>\n",
-            axis("CX", "I", "D", dx),
-            axis("CY", "I", "D", dy),
-            axis("CZ", "A", "D", 1.0),
-            self.columns(),
-            self.rows(),
-        )
+        let numbers = [
+            ("@kind", if self.is_profile() { "PRF" } else { "SUR" }.to_owned()),
+            ("@dx", format!("{dx:e}")),
+            ("@dy", format!("{dy:e}")),
+            ("@columns", self.columns().to_string()),
+            ("@rows", self.rows().to_string()),
+            ("@sum", sum.to_owned()),
+        ];
+        let fill = |xml: String, (name, number): &(&str, String)| xml.replace(name, number);
+        numbers.iter().fold(include_str!("main.xml").to_owned(), fill)
     }
 }
 

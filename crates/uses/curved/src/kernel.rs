@@ -11,35 +11,34 @@ use asperity_fft::{
     Complex64, ComplexToReal, Fft, RealToComplex, forward, inverse, real_forward, real_inverse,
 };
 
-/// Nodes and weights of the Gauss-Legendre rule with 8 points on -1 to 1, right half.
-const GAUSS: [[f64; 2]; 4] = [
-    [0.183_434_642_495_649_8, 0.362_683_783_378_362],
-    [0.525_532_409_916_329, 0.313_706_645_877_887_3],
-    [0.796_666_477_413_626_7, 0.222_381_034_453_374_48],
-    [0.960_289_856_497_536_3, 0.101_228_536_290_376_26],
+/// Nodes and weights of the Gauss-Legendre rule with 4 points on -1 to 1, right half: over a length
+/// of 1/2 they err by 1e-12 of the functions here.
+const GAUSS: [[f64; 2]; 2] = [
+    [0.339_981_043_584_856_26, 0.652_145_154_862_546_1],
+    [0.861_136_311_594_052_6, 0.347_854_845_137_453_85],
 ];
 
-/// The integral of a function from 0, between multiples of 1 by a rule of Gauss.
+/// The integral of a function from 0, between multiples of 1/2 by a rule of Gauss.
 struct Primitive {
     of: fn(f64) -> f64,
-    at_whole: Vec<f64>,
+    at_halves: Vec<f64>,
 }
 
 impl Primitive {
     /// For arguments up to `largest`; the function varies slowly over a length of 1.
     fn new(of: fn(f64) -> f64, largest: f64) -> Self {
-        let mut at_whole = vec![0.0];
+        let mut at_halves = vec![0.0];
         let mut sum = 0.0;
-        for k in 0..largest as usize + 1 {
-            sum += gauss(of, k as f64, k as f64 + 1.0);
-            at_whole.push(sum);
+        for k in 0..2 * (largest as usize + 1) {
+            sum += gauss(of, 0.5 * k as f64, 0.5 * (k as f64 + 1.0));
+            at_halves.push(sum);
         }
-        Self { of, at_whole }
+        Self { of, at_halves }
     }
 
     fn at(&self, x: f64) -> f64 {
-        let whole = (x as usize).min(self.at_whole.len() - 1);
-        self.at_whole[whole] + gauss(self.of, whole as f64, x)
+        let half = ((2.0 * x) as usize).min(self.at_halves.len() - 1);
+        self.at_halves[half] + gauss(self.of, 0.5 * half as f64, x)
     }
 }
 

@@ -44,8 +44,13 @@ impl Layer {
         let sigma = contact.scene().surface.asperity_height_std;
         let modulus = scene.interface.equivalent_modulus;
         let least = LEAST * modulus * scene.nominal_area;
-        let far =
-            contact.separation_in(SeparationUnit::Sigma, Datum::AsperityMean, At::Load(least))?;
+        let sigmas = SeparationUnit::Sigma;
+        let far = match contact.separation_in(sigmas, Datum::AsperityMean, At::Load(least)) {
+            Err(ContactError::OutOfRange { .. }) => {
+                return refused("its pressure is not known where the bodies are far apart");
+            }
+            found => found?,
+        };
         Ok(Self { contact, sigma, modulus, far })
     }
 

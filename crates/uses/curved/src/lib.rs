@@ -155,7 +155,8 @@ impl Curved {
     /// default tolerance is asked for, as finer ones take longer here.
     ///
     /// # Errors
-    /// Radii and lengths that are not above 0, models with adhesion, and the errors of the model.
+    /// Radii and lengths that are not above 0, a tolerance below 1e-8 other than the default, models
+    /// with adhesion, and the errors of the model.
     pub fn new(
         model: &dyn ContactModel,
         scene: &Scene,
@@ -176,7 +177,12 @@ impl Curved {
         }
         let tolerance = match tolerance {
             unasked if unasked == Tolerance::default() => Tolerance::new(USUAL)?,
-            asked => Tolerance::new(asked.relative().max(FINEST))?,
+            finer if finer.relative() < FINEST => {
+                let (field, value) = ("tolerance", finer.relative());
+                let required = "at least 1e-8 between curved bodies, where the default is 1e-6";
+                return Err(ContactError::OutOfRange { field, value, required });
+            }
+            asked => asked,
         };
         let of_layer = Tolerance::new((0.01 * tolerance.relative()).max(1e-12))?;
         let layer = Layer::new(model, scene, asked, of_layer)?;

@@ -56,15 +56,12 @@ impl<'c> Solution<'c> {
     /// Approach less the approach of smooth bodies at the same load \[m\].
     #[must_use]
     pub fn approach_beyond_hertz(&self) -> f64 {
-        match self.of.shape {
-            Shape::Point { .. } => -self.state.offset - self.hertz.approach.unwrap_or(f64::NAN),
-            Shape::Line { length, .. } => {
-                // Of both with the length of the grid.
-                let depth = 2.0 * self.load / length / (PI * self.of.layer.modulus);
-                let smooth = (2.0 * self.state.grid.reference() / self.hertz.axes[0]).ln() + 0.5;
-                -self.state.offset - depth * smooth
-            }
+        let mut shape = self.of.shape;
+        if let Shape::Line { reference_length, .. } = &mut shape {
+            *reference_length = Some(self.state.grid.reference());
         }
+        let smooth = Hertz::new(&shape, self.of.layer.modulus, self.load).approach;
+        -self.state.offset - smooth.unwrap_or(f64::NAN)
     }
 
     /// Peak pressure \[Pa\].

@@ -8,7 +8,9 @@ use crate::{Grid, Work, refused};
 
 const MAX_STEPS: usize = 60;
 /// What pressures may be off by after the last step, over the peak and the tolerance of numbers.
-const DONE: f64 = 1e-7;
+const DONE: f64 = 1e-3;
+/// How well the sum of the pressures is the load.
+const BALANCED: f64 = 1e-13;
 /// A step of Newton's method errs by at most this times its square, with both over the peak.
 const SQUARE: f64 = 30.0;
 
@@ -74,29 +76,20 @@ impl State {
         let base: Vec<f64> =
             state.shape.iter().zip(&state.deflections).map(|(a, b)| a + b).collect();
         let least = base.iter().copied().fold(f64::INFINITY, f64::min);
-        // The force falls with the offset: bisection to a part of sigma.
-        let mut force = |offset: f64| {
+        // The force falls with the offset, ever more slowly: Newton's method from nearer bodies.
+        let mut offset = -least;
+        let mut nearer = layer.sigma;
+        loop {
             state.separations.iter_mut().zip(&base).for_each(|(d, base)| *d = base + offset);
-            state.update(layer).map(|()| state.force())
-        };
-        let (mut low, mut high) = (-least, -least);
-        let mut width = layer.sigma;
-        while force(low)? < load {
-            (high, low) = (low, low - width);
-            width *= 2.0;
+            state.update(layer)?;
+            if state.force() >= load {
+                break;
+            }
+            offset -= nearer;
+            nearer *= 2.0;
         }
-        width = layer.sigma;
-        while force(high)? > load {
-            (low, high) = (high, high + width);
-            width *= 2.0;
-        }
-        while high - low > 0.05 * layer.sigma {
-            let middle = 0.5 * (low + high);
-            if force(middle)? > load { low = middle } else { high = middle }
-        }
-        state.offset = 0.5 * (low + high);
-        state.separations.iter_mut().zip(&base).for_each(|(d, base)| *d = base + state.offset);
-        state.update(layer)?;
+        state.offset = offset;
+        state.balance(layer, load)?;
         Ok(state)
     }
 
@@ -119,8 +112,7 @@ impl State {
 
     /// dF/d(-d₀), of a line per length, with the slopes as they are.
     pub(crate) fn stiffness(&mut self, tolerance: f64) -> Result<f64, ContactError> {
-        let ones = vec![1.0; self.slopes.len()];
-        let moved = self.linear(&ones, 0.01 * tolerance)?;
+        let moved = self.linear(&vec![1.0; self.slopes.len()], 0.01 * tolerance, None)?.0;
         Ok(self.weight * dot(&self.slopes, &moved))
     }
 
@@ -152,19 +144,29 @@ impl State {
             if self.slopes.iter().any(|slope| *slope < 0.0) {
                 return refused("the pressure of the model rises with the separation here");
             }
-            let against: Vec<f64> = residual.iter().map(|r| -r).collect();
-            let mut step = self.linear(&against, within)?;
-            // As much of a shift of all as is given.
-            let unit = self.linear(&vec![1.0; step.len()], within)?;
-            let force = self.force() - self.weight * dot(&self.slopes, &step);
-            let stiffness = self.weight * dot(&self.slopes, &unit);
-            let shift = match given {
-                Given::Load(load) => (force - load) / stiffness,
+            let (step, shift) = match given {
+                Given::Load(load) => {
+                    let right: Vec<f64> = residual.iter().map(|r| -r).collect();
+                    let falls = (self.force() - load) / self.weight;
+                    self.linear(&right, within, Some(falls))?
+                }
                 Given::Approach(approach, more) => {
-                    (more * force - approach - self.offset) / (1.0 + more * stiffness)
+                    let shift = more * self.force() - approach - self.offset;
+                    let right: Vec<f64> = residual.iter().map(|r| shift - r).collect();
+                    let mut step = self.linear(&right, within, None)?.0;
+                    // With the load of a line its approach changes.
+                    let unit = if more == 0.0 {
+                        step.clone()
+                    } else {
+                        self.linear(&vec![1.0; step.len()], within, None)?.0
+                    };
+                    let more = more * self.weight;
+                    let [own, other] = [&step, &unit].map(|one| more * dot(&self.slopes, one));
+                    let back = own / (1.0 + other);
+                    step.iter_mut().zip(&unit).for_each(|(step, unit)| *step -= back * unit);
+                    (step, shift - back)
                 }
             };
-            step.iter_mut().zip(&unit).for_each(|(step, unit)| *step += shift * unit);
             self.offset += shift;
             let (before, peak) = (self.pressures.clone(), self.peak());
             self.separations.iter_mut().zip(&step).for_each(|(d, step)| *d += step);
@@ -174,7 +176,10 @@ impl State {
             let rest = (SQUARE * change * change).max(within * change);
             if rest < enough {
                 self.work.products = self.kernel.products;
-                return Ok(());
+                return match given {
+                    Given::Load(load) => self.balance(layer, load),
+                    Given::Approach(..) => Ok(()),
+                };
             }
             residual = self.residual();
             within = (enough / rest).max(change * change).min(1e-2);
@@ -182,27 +187,64 @@ impl State {
         refused("the pressures did not settle")
     }
 
-    /// Solves (1 + M W) v = right, with W the slopes: by conjugate gradients on
-    /// (1 + √W M √W) z = √W right, v = right - M √W z.
-    fn linear(&mut self, right: &[f64], tolerance: f64) -> Result<Vec<f64>, ContactError> {
+    /// Moves the bodies by what is missing in the load, far less than is solved for.
+    fn balance(&mut self, layer: &Layer, load: f64) -> Result<(), ContactError> {
+        for _ in 0..MAX_STEPS {
+            let off = self.force() - load;
+            if off.abs() <= BALANCED * load {
+                break;
+            }
+            let shift = off / (self.weight * self.slopes.iter().sum::<f64>());
+            self.separations.iter_mut().for_each(|d| *d += shift);
+            self.offset += shift;
+            self.update(layer)?;
+        }
+        Ok(())
+    }
+
+    /// Solves (1 + M W) v = right + shift, with W the slopes: v, and the shift with which the sum
+    /// of W v is the `total`, or 0. By conjugate gradients on (1 + √W M √W) z = √W (right + shift),
+    /// v = right + shift - M √W z, among the z with that sum.
+    fn linear(
+        &mut self,
+        right: &[f64],
+        tolerance: f64,
+        total: Option<f64>,
+    ) -> Result<(Vec<f64>, f64), ContactError> {
+        let n = right.len();
         let root: Vec<f64> = self.slopes.iter().map(|slope| slope.sqrt()).collect();
-        let times = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).collect::<Vec<_>>();
-        let mut rest = times(&root, right);
+        let sum = dot(&root, &root);
+        let keep_sum = |rest: &mut [f64]| {
+            if total.is_some() {
+                let off = dot(rest, &root) / sum;
+                rest.iter_mut().zip(&root).for_each(|(rest, root)| *rest -= off * root);
+            }
+        };
+        let (mut deflected, mut product, mut scaled) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+        if let Some(total) = total {
+            let first: Vec<f64> = self.slopes.iter().map(|slope| slope * total / sum).collect();
+            self.kernel.product(&first, &mut deflected);
+        }
+        let rest = right.iter().zip(&deflected).zip(&root);
+        let mut rest: Vec<f64> = rest.map(|((right, own), root)| root * (right - own)).collect();
+        keep_sum(&mut rest);
         let mut direction = rest.clone();
-        let (mut deflected, mut product) = (vec![0.0; right.len()], vec![0.0; right.len()]);
         let first = dot(&rest, &rest);
         let mut square = first;
-        for _ in 0..20 * right.len().max(100) {
+        for _ in 0..20 * n.max(100) {
             if square <= tolerance * tolerance * first {
                 break;
             }
-            self.kernel.product(&times(&root, &direction), &mut product);
-            let turned = times(&root, &product);
-            let along = square / (dot(&direction, &direction) + dot(&direction, &turned));
+            for (k, scaled) in scaled.iter_mut().enumerate() {
+                *scaled = root[k] * direction[k];
+            }
+            self.kernel.product(&scaled, &mut product);
+            let along = square / (dot(&direction, &direction) + dot(&scaled, &product));
             for (k, rest) in rest.iter_mut().enumerate() {
-                *rest -= along * (direction[k] + turned[k]);
+                *rest -= along * (direction[k] + root[k] * product[k]);
                 deflected[k] += along * product[k];
             }
+            keep_sum(&mut rest);
             let next = dot(&rest, &rest);
             let ratio = next / square;
             square = next;
@@ -212,6 +254,9 @@ impl State {
         if square > first * (tolerance * tolerance).max(1e-12) {
             return refused("the equations of the separations did not converge");
         }
-        Ok(right.iter().zip(&deflected).map(|(right, deflected)| right - deflected).collect())
+        let mut moved: Vec<f64> = right.iter().zip(&deflected).map(|(a, b)| a - b).collect();
+        let shift = total.map_or(0.0, |total| (total - dot(&self.slopes, &moved)) / sum);
+        moved.iter_mut().for_each(|moved| *moved += shift);
+        Ok((moved, shift))
     }
 }

@@ -2,7 +2,7 @@
 
 use asperity_core::{At, Datum, Quantity, Separation};
 
-use crate::names::{unknown_column, with_unit};
+use crate::names::{Named, unknown_column, with_unit};
 use crate::observation::{CLOSURE, LOAD, PRESSURE, Position, SEPARATION, STD};
 use crate::{FitError, Measured, MeasuredTable, Observation};
 
@@ -22,11 +22,10 @@ pub fn is_column(name: &str) -> bool {
     IGNORED.contains(&name) || is_meant(name) || name.strip_suffix(STD).is_some_and(is_meant)
 }
 
-/// The column of a fit that is meant by a name, which may have another unit, and the size of that
-/// unit: `load_N` and 1000 for `Load [kN]`.
-fn in_si(name: &str) -> Result<(String, f64), FitError> {
+/// The column of a fit that is meant by a name, which may have another unit.
+fn in_si(name: &str) -> Result<Named, FitError> {
     match PLACES.contains(&name) || quantity(name).is_some() {
-        true => Ok((name.to_string(), 1.0)),
+        true => Ok(Named { column: name.to_string(), factor: 1.0, over_area: false }),
         false => with_unit(name).ok_or_else(|| unknown_column(name)),
     }
 }
@@ -42,15 +41,21 @@ pub(crate) struct Columns<'c> {
     lines: &'c [usize],
     /// In SI units.
     columns: Vec<(String, Vec<Option<f64>>)>,
+    /// Whether one was given over the nominal area.
+    pub(crate) over_area: bool,
 }
 
 impl<'c> Columns<'c> {
-    pub(crate) fn read(table: &'c MeasuredTable) -> Result<Self, FitError> {
+    /// Those of a table; values over the nominal area are multiplied by this one \[m²\].
+    pub(crate) fn read(
+        table: &'c MeasuredTable,
+        nominal_area: Option<f64>,
+    ) -> Result<Self, FitError> {
         let MeasuredTable { columns, lines } = table;
         let rows = columns.iter().map(|(_, values)| values.len()).max().unwrap_or(0);
         let refused =
             |column: &str, reason: String| Err(FitError::Column { column: column.into(), reason });
-        let mut found = Self { rows, lines, columns: vec![] };
+        let mut found = Self { rows, lines, columns: vec![], over_area: false };
         for (place, (name, values)) in columns.iter().enumerate() {
             let name = name.trim();
             if values.len() != rows {
@@ -60,13 +65,23 @@ impl<'c> Columns<'c> {
                 )));
             }
             let is_ignored = IGNORED.contains(&name);
-            let (column, unit) = match name.strip_suffix(STD) {
-                _ if is_ignored => (name.to_string(), 1.0),
+            let Named { column, factor, over_area } = match name.strip_suffix(STD) {
+                _ if is_ignored => {
+                    Named { column: name.to_string(), factor: 1.0, over_area: false }
+                }
                 None => in_si(name)?,
                 Some(of) => in_si(of)
-                    .map(|(column, unit)| (column + STD, unit))
+                    .map(|found| Named { column: found.column + STD, ..found })
                     .map_err(|error| of_deviation(error, name))?,
             };
+            let unit = match (over_area, nominal_area) {
+                (false, _) => factor,
+                (true, Some(area)) => factor * area,
+                (true, None) => {
+                    return refused(name, format!("over a nominal area; give {column}"));
+                }
+            };
+            found.over_area |= over_area;
             let is_twice = columns[..place].iter().any(|(other, _)| other.trim() == name);
             if is_twice || found.has(&column) {
                 return refused(name, "the column is given twice".into());
@@ -219,7 +234,7 @@ mod tests {
         let columns = names.iter().zip(numbers);
         let columns = columns.map(|(name, number)| ((*name).to_owned(), vec![Some(number)]));
         let table = MeasuredTable { columns: columns.collect(), lines: vec![] };
-        Data::from_table(&table, Datum::AsperityMean)
+        Data::from_table(&table, Datum::AsperityMean, Some(2e-6))
     }
 
     #[test]
@@ -231,7 +246,12 @@ mod tests {
         assert_eq!(found.unwrap(), plain.unwrap());
         let twice = ["load_N", "Load [kN]", "area_m2", "area_m2_std"];
         assert!(data(twice, [1.0; 4]).unwrap_err().to_string().contains("given twice"));
-        for name in ["k (GPa/um)", "stiffness [N/um]"] {
+        let with = |name, value| data(["load_N", name, "area_m2", "model"], [1.0, value, 1.0, 1.0]);
+        let plain = with("unloading_stiffness_N_per_m", 2e9);
+        let over = with("unloading_stiffness (GPa/um)", 1.0);
+        assert_eq!(over.as_deref().unwrap()[0], plain.as_deref().unwrap()[0]);
+        assert!(over.unwrap().is_over_area() && !plain.unwrap().is_over_area());
+        for name in ["k (GPa/um)", "stiffness [N/um]", "load_N [kN]"] {
             let refused = data(["load_N", "separation_m", "area_m2", name], [1.0; 4]);
             assert!(matches!(refused, Err(FitError::Column { .. })), "{refused:?}");
         }

@@ -30,6 +30,7 @@ pub struct Data {
     both_loads: Vec<(usize, [f64; 2])>,
     /// Whether separations are known as closures.
     closure: bool,
+    over_area: bool,
 }
 
 /// Loads and pressures times the nominal area may differ by this much, relative, as both may be
@@ -60,16 +61,21 @@ impl Data {
     /// # Errors
     /// [`FitError`] naming the column or the row, its value and what is required.
     pub fn from_columns(columns: &[DataColumn], from: Datum) -> Result<Self, FitError> {
-        Self::from_table(&MeasuredTable { columns: columns.to_vec(), lines: vec![] }, from)
+        Self::from_table(&MeasuredTable { columns: columns.to_vec(), lines: vec![] }, from, None)
     }
 
-    /// The measured values of a table, whose messages name the lines of its file.
+    /// The measured values of a table, whose messages name the lines of its file; those over the
+    /// nominal area, as `tangent (GPa/um)`, are multiplied by it \[m²\].
     ///
     /// # Errors
     /// The errors of [`from_columns`](Self::from_columns).
-    pub fn from_table(table: &MeasuredTable, from: Datum) -> Result<Self, FitError> {
+    pub fn from_table(
+        table: &MeasuredTable,
+        from: Datum,
+        nominal_area: Option<f64>,
+    ) -> Result<Self, FitError> {
         let lines = table.lines.clone();
-        let table = Columns::read(table)?;
+        let table = Columns::read(table, nominal_area)?;
         let (mut observations, mut both_loads) = (vec![], vec![]);
         for row in 0..table.rows {
             both_loads.extend(table.both_loads(row)?.map(|both| (row, both)));
@@ -94,7 +100,14 @@ impl Data {
             )));
         }
         let closure = table.has(CLOSURE);
-        Ok(Self { observations, from, lines, both_loads, closure })
+        let over_area = table.over_area;
+        Ok(Self { observations, from, lines, both_loads, closure, over_area })
+    }
+
+    /// Whether values were given over the nominal area.
+    #[must_use]
+    pub fn is_over_area(&self) -> bool {
+        self.over_area
     }
 
     /// Checks that loads and pressures of the same row agree, for this nominal area \[m²\].
@@ -156,7 +169,7 @@ impl Data {
             }
         }
         let (lines, both_loads) = (self.lines.clone(), vec![]);
-        Self { observations: found, from: self.from, lines, both_loads, closure: self.closure }
+        Self { observations: found, from: self.from, lines, both_loads, ..self.clone() }
     }
 
     /// The plane of the separations.

@@ -1,6 +1,6 @@
 //! Headers of measurements: names of columns with units, and what is meant by other names.
 
-use asperity_core::{Quantity, nearest_name, plain_unit, short, units_of};
+use asperity_core::{Quantity, nearest_name, plain_unit, units_of};
 
 use crate::FitError;
 use crate::observation::{CLOSURE, LOAD, PRESSURE, SEPARATION};
@@ -69,26 +69,16 @@ pub(crate) fn unknown_column(name: &str) -> FitError {
             "a displacement grows where the separation falls: name the column {CLOSURE}, with values in m"
         ));
     }
-    let of_area = |(before, unit): &(&str, String)| {
-        usual_name(before, true).as_deref() == Some(STIFFNESS) && unit.contains("Pa/")
-    };
-    if readings(&name).iter().any(of_area) {
-        return column(which_stiffness(
-            ", and multiply its values, in N/m per m2, by the nominal area",
-        ));
+    if let Some((first, second)) = two_units(&name, &known) {
+        let reason = format!("the units {first} and {second} contradict each other; leave one out");
+        return column(reason);
     }
     match named(&name, &known) {
-        Some((_, factor)) if is_other(factor) => {
-            let multiply = format!(", and multiply its values by {}", short(factor));
-            return column(which_stiffness(&multiply));
-        }
         None if usual != STIFFNESS => {}
-        _ => return column(which_stiffness("")),
-    }
-    if let Some(column) = per_area(&name, &known) {
-        return FitError::Data(format!(
-            "column {name:?} is per nominal area: name it {column} and multiply its values, in N/m per m2, by the nominal area"
-        ));
+        _ => {
+            let unit = readings(&name).into_iter().find(|(_, unit)| is_unit(unit));
+            return column(which_stiffness(unit.map(|(_, unit)| unit).as_deref()));
+        }
     }
     let columns = || known.iter().map(|known| known.column.as_str());
     let begun = |behind: &str| {
@@ -101,17 +91,17 @@ pub(crate) fn unknown_column(name: &str) -> FitError {
     FitError::UnknownColumn { near, known, name }
 }
 
-fn is_other(factor: f64) -> bool {
-    (factor - 1.0).abs() > f64::EPSILON
-}
-
-/// The names of a stiffness of which a header does not say the kind, and how to `multiply` it.
-fn which_stiffness(multiply: &str) -> String {
+/// The names of a stiffness of which a header does not say the kind, with its unit.
+fn which_stiffness(unit: Option<&str>) -> String {
     let [unloading, tangent, tangential] =
-        [Quantity::UnloadingStiffness, Quantity::Tangent, Quantity::TangentialStiffness]
-            .map(Quantity::column);
+        [Quantity::UnloadingStiffness, Quantity::Tangent, Quantity::TangentialStiffness].map(
+            |quantity| match unit {
+                Some(unit) => format!("{} [{unit}]", quantity.to_string().replace('-', "_")),
+                None => quantity.column(),
+            },
+        );
     format!(
-        "the name does not say which stiffness was measured: name the column {unloading} (small vibrations, ultrasound, start of unloading), {tangent} (first loading) or {tangential} (shear){multiply}"
+        "the name does not say which stiffness was measured: name the column {unloading} (small vibrations, ultrasound, start of unloading), {tangent} (first loading) or {tangential} (shear)"
     )
 }
 
@@ -135,47 +125,76 @@ fn readings(name: &str) -> Vec<(&str, String)> {
     .collect()
 }
 
-/// The column that a name is with another unit, and the size of that unit: `load_N` and 1000 for
-/// `load_kN`, `F [kN]` and `F/kN`; none for a stiffness of unstated kind.
-pub(crate) fn with_unit(name: &str) -> Option<(String, f64)> {
-    let known = known_columns();
-    let (column, factor) = named(name, &known)?;
-    (column != Quantity::Stiffness.column()).then(|| (column.to_string(), factor))
+/// A known column and the size of the unit of its values.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Named {
+    pub(crate) column: String,
+    pub(crate) factor: f64,
+    /// Whether the values are over the nominal area.
+    pub(crate) over_area: bool,
+}
+
+/// The column that a name is with another unit: `load_N` and 1000 for `load_kN`, `F [kN]` and
+/// `F/kN`; none for a stiffness of unstated kind.
+pub(crate) fn with_unit(name: &str) -> Option<Named> {
+    named(name, &known_columns()).filter(|found| found.column != Quantity::Stiffness.column())
 }
 
 /// Whether a text is a unit of a column, as `[kN]`.
 #[must_use]
 pub fn is_unit(text: &str) -> bool {
-    let is =
-        |si: &str| units_of(si).iter().any(|(unit, _)| unit_in_name(unit) == unit_in_name(text));
-    known_columns().iter().any(|known| is(&known.si))
+    let unit = unit_in_name(text);
+    let is = |known: &Known| size(&unit, &known.si).is_some();
+    over_area(&unit).is_some() || known_columns().iter().any(is)
+}
+
+/// The size of a unit, as it is compared, of a quantity with this SI unit.
+fn size(unit: &str, si: &str) -> Option<f64> {
+    // W/(m2 K) is W/m2/K; scenes have both.
+    units_of(si).into_iter().find(|(known, _)| unit_in_name(known) == unit).map(|(_, size)| size)
+}
+
+/// The size in N/m per m2 of a unit of a stiffness over the nominal area: `GPa/um`, `N/um/mm2` or
+/// `N/mm3`.
+fn over_area(unit: &str) -> Option<f64> {
+    let (over, under) = unit.rsplit_once('/')?;
+    let of = |above: &str, below: &str| Some(size(over, above)? / size(under, below)?);
+    let cubed = || Some(size(over, "N")? / size(under.strip_suffix('3')?, "m")?.powi(3));
+    of("Pa", "m").or_else(|| of("N/m", "m2")).or_else(cubed)
 }
 
 /// The known column that `name` is with a unit, and the unit in SI units.
-fn named<'k>(name: &str, known: &'k [Known]) -> Option<(&'k str, f64)> {
+fn named(name: &str, known: &[Known]) -> Option<Named> {
     readings(name).into_iter().find_map(|(before, unit)| {
         let usual = usual_name(before, true)?;
+        let alone = usual.strip_suffix("_per_area");
         known.iter().find_map(|Known { column, quantity, si }| {
             let is_share = unit == "%" && quantity.strip_suffix("_fraction") == Some(&*usual);
-            let units = units_of(si).into_iter().filter(|_| *quantity == usual || is_share);
-            // W/(m2 K) is W/m2/K; scenes have both.
-            let (_, factor) = units.into_iter().find(|(known, _)| unit_in_name(known) == unit)?;
-            Some((column.as_str(), factor))
+            let is_it = *quantity == usual || is_share;
+            // The name of the column with its unit once more, as `load_N [N]`.
+            let plain = (column == before && unit == *si).then_some(1.0);
+            let own = plain.or_else(|| size(&unit, si).filter(|_| is_it));
+            let is_of_area = si == "N/m" && (is_it || alone == Some(quantity.as_str()));
+            let of_area = || over_area(&unit).filter(|_| is_of_area);
+            let factor = own.or_else(of_area)?;
+            Some(Named { column: column.clone(), factor, over_area: own.is_none() })
         })
     })
 }
 
-/// The known stiffness that `name` is over the nominal area: `unloading_stiffness_N_per_m` for
-/// `unloading_stiffness_per_area_N_per_m3` and `unloading_stiffness_Pa_per_m`.
-fn per_area<'k>(name: &str, known: &'k [Known]) -> Option<&'k str> {
-    let begins = |known: &&Known| known.si == "N/m" && name.starts_with(&known.quantity);
-    let begun = known.iter().filter(begins).max_by_key(|known| known.quantity.len())?;
-    let unit = name.strip_prefix(&begun.quantity)?;
-    let areas = [
-        "per_area", "per_m2", "per_mm2", "per_um2", "per_m3", "per_mm3", "/m2", "/m3", "Pa_per_",
-        "Pa/",
-    ];
-    areas.iter().any(|area| unit.contains(area)).then_some(&begun.column)
+/// The two units of a name such as `load_N [kN]`.
+fn two_units(name: &str, known: &[Known]) -> Option<(String, String)> {
+    readings(name).into_iter().find_map(|(before, unit)| {
+        let (_, first) = readings(before).into_iter().find(|(_, first)| is_unit(first))?;
+        let si = &known
+            .iter()
+            .find(|of| {
+                of.column == before
+                    || named(before, known).is_some_and(|found| found.column == of.column)
+            })?
+            .si;
+        size(&unit, si).map(|_| (first, unit))
+    })
 }
 
 #[cfg(test)]
@@ -226,8 +245,8 @@ mod tests {
             ("electrical_conductance_kS", ("electrical_conductance_S", 1e3)),
         ] {
             let found = named(name, &known);
-            let near = found.filter(|found| (found.1 / wanted.1 - 1.0).abs() < 1e-12);
-            assert!(near.is_some_and(|found| found.0 == wanted.0), "{name}: {found:?}");
+            let near = found.as_ref().filter(|found| (found.factor / wanted.1 - 1.0).abs() < 1e-12);
+            assert!(near.is_some_and(|found| found.column == wanted.0), "{name}: {found:?}");
         }
         for name in ["load", "load_stone", "a_b", "f", "[N]", "_", "comment"] {
             let found = named(name, &known);
@@ -236,16 +255,38 @@ mod tests {
     }
 
     #[test]
-    fn stiffnesses_per_area_are_recognised() {
-        let known = known_columns();
-        for (name, wanted) in [
-            ("stiffness_per_area_N_per_m3", Some("stiffness_N_per_m")),
-            ("unloading_stiffness_GPa_per_m", Some("unloading_stiffness_N_per_m")),
-            ("unloading_stiffness_N_per_um_per_mm2", Some("unloading_stiffness_N_per_m")),
-            ("unloading_stiffness_N_per_mm", None),
-            ("area_per_area", None),
+    fn stiffnesses_over_the_nominal_area_are_recognised() {
+        let [unloading, tangent] = ["unloading_stiffness_N_per_m", "tangent_N_per_m"];
+        for (name, column, factor) in [
+            ("unloading_stiffness (GPa/um)", unloading, 1e15),
+            ("unloading_stiffness_GPa_per_m", unloading, 1e9),
+            ("unloading_stiffness_N_per_um_per_mm2", unloading, 1e12),
+            ("unloading stiffness [N/mm\u{b3}]", unloading, 1e9),
+            ("tangent_per_area_N_per_m3", tangent, 1.0),
+            ("Tangent [MPa/\u{b5}m]", tangent, 1e12),
         ] {
-            assert_eq!(per_area(name, &known), wanted, "{name}");
+            let found = with_unit(name).unwrap();
+            assert_eq!((&*found.column, found.over_area), (column, true), "{name}");
+            assert!((found.factor / factor - 1.0).abs() < 1e-12, "{name}: {found:?}");
+        }
+        assert!(!with_unit("unloading_stiffness_N_per_mm").unwrap().over_area);
+        for name in ["k (GPa/um)", "area_per_area", "load (GPa/um)", "stiffness_per_area_N_per_m3"]
+        {
+            assert_eq!(with_unit(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn two_units_of_a_name_agree_or_are_refused() {
+        assert_eq!(with_unit("load_N [N]").map(|found| found.factor), Some(1.0));
+        for (name, units) in [
+            ("load_N [kN]", "N and kN"),
+            ("load_kN [N]", "kN and N"),
+            ("area_mm2 (cm2)", "mm2 and cm2"),
+            ("unloading_stiffness_N_per_m [N/um]", "N/m and N/um"),
+        ] {
+            let refused = unknown_column(name).to_string();
+            assert!(with_unit(name).is_none() && refused.contains(units), "{name}: {refused}");
         }
     }
 }

@@ -7,7 +7,7 @@ use asperity::{
 };
 
 use super::text::filled;
-use super::{Export, UnitSystem};
+use super::{Export, Nodes, UnitSystem};
 use crate::number::rounded;
 use crate::subject::Outcome;
 use crate::{Cell, Sheet};
@@ -35,9 +35,9 @@ impl Export<'_> {
         if self.units != UnitSystem::Si {
             return Err("a table of films is in SI units".into());
         }
-        if self.max_error.is_some() {
-            return Err("a table of films has equal distances and no --max-error: give the number of its nodes".into());
-        }
+        let Nodes::Range { ends, count, max_error: None, .. } = self.nodes else {
+            return Err("a table of films has equal distances and no --max-error: give a range with the number of its nodes".into());
+        };
         let file = self.subject.file;
         let request = Request::new(OF_CONTACT).within(self.subject.tolerance);
         let contact = self.subject.model.compile(&file.scene, &request)?;
@@ -59,12 +59,12 @@ impl Export<'_> {
             Ok(Some(contact.evaluate(*quantity, Separation::film_ratio(film))?.value()))
         };
         let lambda = |at| contact.separation_in(SeparationUnit::SurfaceStd, Datum::SurfaceMean, at);
-        let [first, last] = [lambda(self.ends[0])?, lambda(self.ends[1])?];
+        let [first, last] = [lambda(ends[0])?, lambda(ends[1])?];
         sheet.under(&[&["film_m", "lambda"]]);
         let columns = OF_CONTACT.iter().chain(&factors);
         sheet.heads.extend(columns.map(|quantity| quantity.column()));
         let mut text = self.film_head(scene, &flow) + &sheet.heads.join(",") + "\n";
-        for film in linspace(first.min(last), first.max(last), self.nodes.max(2)) {
+        for film in linspace(first.min(last), first.max(last), count.max(2)) {
             let places = vec![Some(film * scene.surface_height_std()), Some(film)];
             let values = OF_CONTACT.iter().map(|quantity| of_contact(quantity, film));
             let values = values.chain(factors.iter().map(|quantity| factor(quantity, film)));

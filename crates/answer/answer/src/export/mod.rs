@@ -127,19 +127,31 @@ impl FromStr for ConductanceAgainst {
     }
 }
 
+/// Where the nodes of a table are.
+#[derive(Debug, Clone, Copy)]
+pub enum Nodes<'a> {
+    /// From one end to the other, of the same kind.
+    Range {
+        /// The ends.
+        ends: [At; 2],
+        /// Number of nodes at equal distances of separation, at least 2.
+        count: usize,
+        /// Whether they are at equal ratios of load instead, where the ends are loads above 0.
+        log: bool,
+        /// Nodes are added until no interpolated pressure is off by more than this relative error.
+        max_error: Option<f64>,
+    },
+    /// At these loads: all that boundary elements have.
+    Loads(&'a [At]),
+}
+
 /// What a table is to have.
 #[derive(Debug, Clone, Copy)]
 pub struct Export<'a> {
     /// The model on its scene.
     pub subject: Subject<'a>,
-    /// One end of the range, and the other, of the same kind.
-    pub ends: [At; 2],
-    /// Number of nodes at equal distances of separation, at least 2.
-    pub nodes: usize,
-    /// Whether they are at equal ratios of load instead, where the ends are loads above 0.
-    pub log: bool,
-    /// Nodes are added until no interpolated pressure is off by more than this relative error.
-    pub max_error: Option<f64>,
+    /// Its nodes.
+    pub nodes: Nodes<'a>,
     /// The format of the table.
     pub format: TableFormat,
     /// Its units.
@@ -157,7 +169,7 @@ pub struct Exported {
     /// The table in its format and units.
     pub text: String,
     /// Bounds of the relative errors of pressure and tangent between the nodes; none of a table of
-    /// films.
+    /// films and of boundary elements.
     pub errors: Option<[f64; 2]>,
 }
 
@@ -178,6 +190,9 @@ impl Export<'_> {
             return Ok(Exported { text: self.film_text(sheet).map_err(of_model)?, errors: None });
         }
         let table = ContactTable::new(self).map_err(of_model)?;
+        if table.errors.is_none() && (self.conductance.is_some() || self.friction.is_some()) {
+            return Err("boundary elements at some loads give no lines of conductance and friction; take conductance and tangential stiffness there from a curve, or export a model".into());
+        }
         let mut text = table.text(self)?;
         if let Some(against) = self.conductance {
             text += &table.conductance_text(self, against).map_err(of_model)?;
@@ -190,14 +205,15 @@ impl Export<'_> {
             let clearance = self.subject.place(clearance, SeparationUnit::Metres)?;
             sheet.rows.push([clearance, node.pressure, node.stiffness].map(Into::into).to_vec());
         }
-        let [pressure_error, tangent_error] = [table.pressure_error, table.stiffness_error];
-        if pressure_error > 0.1 {
+        if let Some([pressure_error, _]) = table.errors
+            && pressure_error > 0.1
+        {
             let percent = (100.0 * pressure_error).round();
             let text = format!(
                 "the interpolation error of the pressure is up to {percent} %; use more nodes, a maximum error or a narrower range"
             );
             sheet.warn(Code::InterpolationError, text);
         }
-        Ok(Exported { text, errors: Some([pressure_error, tangent_error]) })
+        Ok(Exported { text, errors: table.errors })
     }
 }

@@ -4,13 +4,13 @@ use std::cmp::Ordering;
 
 use asperity::bem::Bem;
 use asperity::{
-    At, Contact, ContactError, ContactModel, Datum, Described, Quantity, Request, SeparationUnit,
-    linspace, short,
+    At, Best, Contact, ContactError, ContactModel, Datum, Described, Model, Quantity, Request,
+    SeparationUnit, linspace, short,
 };
 
 use super::error_bound::bounds;
 use super::kinks::{kinks, pieces};
-use super::{Export, Interpolation, cubic};
+use super::{Export, Interpolation, Nodes, cubic};
 use crate::subject::{Outcome, Subject};
 
 /// More nodes than this are not added to meet an error.
@@ -34,10 +34,9 @@ pub(crate) struct ContactNode {
 pub(crate) struct ContactTable {
     /// Two or more ascending separations; pressure falls, pressures and stiffnesses are positive.
     pub(crate) nodes: Vec<ContactNode>,
-    /// Bound of the relative error of the pressure between the nodes.
-    pub(crate) pressure_error: f64,
-    /// Bound of the relative error of the stiffness between the nodes.
-    pub(crate) stiffness_error: f64,
+    /// Bounds of the relative errors of pressure and stiffness between the nodes; none where each
+    /// node is a solution of boundary elements.
+    pub(crate) errors: Option<[f64; 2]>,
     /// The separation over σ_z at which the tangent of the last node reaches pressure 0: a table
     /// that ends there has no kink at the last node. The model's own pressure beyond the last node
     /// is below that node's.
@@ -47,9 +46,16 @@ pub(crate) struct ContactTable {
 impl ContactTable {
     /// The table that is asked for.
     pub(crate) fn new(export: &Export<'_>) -> Outcome<Self> {
-        let builder = Builder::new(&export.subject, export.format.interpolation())?;
-        let builder = Builder { log: export.log, ..builder };
-        builder.between(export.ends, export.nodes, export.max_error)
+        let interpolation = export.format.interpolation();
+        match export.nodes {
+            Nodes::Range { ends, count, log, max_error } => {
+                let builder = Builder::new(&export.subject, interpolation, &[])?;
+                Builder { log, ..builder }.between(ends, count, max_error)
+            }
+            Nodes::Loads(loads) => {
+                Builder::new(&export.subject, interpolation, loads)?.at_loads(loads)
+            }
+        }
     }
 }
 
@@ -63,16 +69,25 @@ struct Builder {
     tolerance: f64,
     /// Whether the first nodes are at equal ratios of load.
     log: bool,
+    /// Whether each node is a solution of boundary elements.
+    is_solved: bool,
 }
 
 impl Builder {
-    fn new(subject: &Subject<'_>, interpolation: Interpolation) -> Result<Self, ContactError> {
+    /// On the scene; boundary elements solve these loads.
+    fn new(
+        subject: &Subject<'_>,
+        interpolation: Interpolation,
+        loads: &[At],
+    ) -> Result<Self, ContactError> {
         let Subject { file, model, tolerance, .. } = *subject;
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
-        if model.id() == Bem::ID {
+        let request = request.at(loads.iter().copied());
+        let is_bem = model.id() == Bem::ID;
+        if is_bem && loads.is_empty() {
             return Err(ContactError::Refused {
                 model: model.id().into(),
-                reason: "a table with a bound of its error takes thousands of solutions; use the curve of pressure, tangent and separation at some loads".into(),
+                reason: "a table with a bound of its error takes thousands of solutions; give a list of loads, or use the curve of pressure, tangent and separation at some loads".into(),
             });
         }
         Ok(Self {
@@ -82,7 +97,20 @@ impl Builder {
             kinks: kinks(subject)?,
             tolerance: tolerance.relative(),
             log: false,
+            is_solved: is_bem || model.id() == Best::<Model>::ID && !file.solved.is_empty(),
         })
+    }
+
+    /// With nodes at these loads alone.
+    fn at_loads(&self, loads: &[At]) -> Outcome<ContactTable> {
+        let node = |at: &At| {
+            let tangent = self.contact.evaluate(Quantity::Tangent, *at)?.value();
+            let pressure = at.pressure(self.contact.scene()).unwrap_or(0.0);
+            self.checked(self.sigmas(*at)?, [pressure, tangent / self.nominal_area])
+        };
+        let mut nodes: Vec<ContactNode> = loads.iter().map(node).collect::<Outcome<_>>()?;
+        nodes.sort_by(|a, b| a.separation.total_cmp(&b.separation));
+        self.table(nodes)
     }
 
     /// From one end to the other, with `count` nodes at equal distances, and with nodes added
@@ -120,7 +148,11 @@ impl Builder {
 
     fn node(&self, separation: f64) -> Outcome<ContactNode> {
         let (force, tangent) = self.contact.force_and_tangent(separation)?;
-        let [pressure, stiffness] = [force, tangent].map(|e| e.value() / self.nominal_area);
+        self.checked(separation, [force, tangent].map(|e| e.value() / self.nominal_area))
+    }
+
+    /// The node of this pressure and stiffness over the area.
+    fn checked(&self, separation: f64, [pressure, stiffness]: [f64; 2]) -> Outcome<ContactNode> {
         if pressure > 0.0 && stiffness > 0.0 {
             return Ok(ContactNode { separation, pressure, stiffness });
         }
@@ -183,8 +215,10 @@ impl Builder {
     }
 
     fn table(&self, nodes: Vec<ContactNode>) -> Outcome<ContactTable> {
-        self.check_evidence(&nodes)?;
-        let [mut pressure_error, mut stiffness_error] = [0.0_f64; 2];
+        if !self.is_solved {
+            self.check_evidence(&nodes)?;
+        }
+        let mut most = [0.0_f64; 2];
         for (from, to) in nodes.iter().zip(&nodes[1..]) {
             if !self.monotone(from, to) {
                 let (nodes, from, to) = (nodes.len(), from.separation, to.separation);
@@ -193,13 +227,15 @@ impl Builder {
                 )
                 .into());
             }
-            let [pressure, stiffness] = self.errors(from, to, f64::INFINITY)?;
-            pressure_error = pressure_error.max(pressure);
-            stiffness_error = stiffness_error.max(stiffness);
+            if !self.is_solved {
+                let errors = self.errors(from, to, f64::INFINITY)?;
+                most = [0, 1].map(|k| most[k].max(errors[k]));
+            }
         }
         let last = nodes[nodes.len() - 1];
         let cut_off = last.separation + last.pressure / last.stiffness / self.height_std();
-        Ok(ContactTable { nodes, pressure_error, stiffness_error, cut_off })
+        let errors = (!self.is_solved).then_some(most);
+        Ok(ContactTable { nodes, errors, cut_off })
     }
 
     /// Slopes at both ends over the secant's: positive, because the pressure falls.

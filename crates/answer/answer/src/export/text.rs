@@ -34,8 +34,7 @@ impl ContactTable {
                 ("converted", &(export.origin(sign, &self.nodes) + &units.conversion(0, sign))),
                 ("from", export.subject.file.plane()),
                 ("nodes", &self.nodes.len().to_string()),
-                ("pressure", &format!("{:.3e}", self.pressure_error)),
-                ("slope", &format!("{:.3e}", self.stiffness_error)),
+                ("errors", &self.errors_in_words()),
                 ("length", units.length),
                 ("stress", units.pressure),
                 ("begins", &format!("{begins:.9e}")),
@@ -63,6 +62,14 @@ impl ContactTable {
             }
         }
         Ok(text)
+    }
+
+    /// How far the lines between the nodes are off.
+    fn errors_in_words(&self) -> String {
+        let Some([pressure, slope]) = self.errors else {
+            return "no bound of the error is known".into();
+        };
+        format!("largest relative error {pressure:.3e} of the pressure, {slope:.3e} of its slope")
     }
 
     /// Clearances and pressures for straight lines, the lightest first: from where the tangent of

@@ -55,9 +55,11 @@ impl<M: Answering> Candidate<M> {
     }
 }
 
-/// What is known of the candidates at a place, when it is asked for.
-#[derive(Debug, Default)]
-pub(super) struct Judged(pub(super) OnceLock<Vec<Option<Finding>>>);
+/// A model that may answer, compiled where its answer is needed; none where the scene refuses it.
+pub(super) type OnDemand<M> = (M, OnceLock<Option<Candidate<M>>>);
+
+/// Why each of the candidates is not valid at a place, if it is not, where that was asked for.
+pub(super) type Judged = OnceLock<Vec<OnceLock<Option<Finding>>>>;
 
 /// A place of an answer.
 #[derive(Debug)]

@@ -1,6 +1,8 @@
 //! The model that answers, and how far others are from the answer.
 
-use super::candidates::{Candidate, Judged};
+use std::sync::OnceLock;
+
+use super::candidates::{Candidate, Judged, OnDemand};
 use super::contact::BestContact;
 use super::model::Answering;
 use crate::evidence::{Compared, ExpectedContact};
@@ -21,7 +23,7 @@ pub struct Other<M> {
 
 impl<M: Answering> BestContact<M> {
     /// The models, preferred first: without adhesion, unless it matters.
-    pub(super) fn candidates(&self) -> &[Candidate<M>] {
+    fn models(&self) -> &[OnDemand<M>] {
         self.candidates.get_or_init(|| {
             let named = || ANSWERING.iter().filter_map(|id| id.parse().ok()).collect();
             let models = match &self.best.models[..] {
@@ -31,13 +33,25 @@ impl<M: Answering> BestContact<M> {
             let theta = self.scene.adhesion_parameter();
             let adheres = theta.is_some_and(|theta| theta < Scene::HIDES_ADHESION);
             let fits = |model: &M| model.validity().adhesive == adheres;
-            let made = |model| Candidate::new(model, &self.scene, &self.request);
-            models.into_iter().filter(fits).filter_map(made).collect()
+            models.into_iter().filter(fits).map(|model| (model, OnceLock::new())).collect()
         })
     }
 
-    fn judged<'j>(&self, judged: &'j Judged, at: At) -> &'j [Option<Finding>] {
-        judged.0.get_or_init(|| self.candidates().iter().map(|one| one.outside(at)).collect())
+    /// Each model on the scene, with why it is not valid at a place, if it is not; what is not
+    /// looked at is not computed.
+    fn candidates<'a, 'j>(
+        &'a self,
+        judged: &'j Judged,
+        at: At,
+    ) -> impl Iterator<Item = (&'a Candidate<M>, &'j Option<Finding>)> {
+        let models = self.models();
+        let judged = judged.get_or_init(|| models.iter().map(|_| OnceLock::new()).collect());
+        models.iter().zip(judged).filter_map(move |((model, made), outside)| {
+            let made =
+                made.get_or_init(|| Candidate::new(model.clone(), &self.scene, &self.request));
+            let one = made.as_ref()?;
+            Some((one, outside.get_or_init(|| one.outside(at))))
+        })
     }
 
     /// The first valid model with a value, or the first with one and why it is not valid.
@@ -47,9 +61,8 @@ impl<M: Answering> BestContact<M> {
         at: At,
     ) -> Result<(&Candidate<M>, f64, Option<Finding>), ContactError> {
         let place = self.place(at);
-        let outside = self.judged(&place.judged, at);
         let (mut invalid, mut refused, mut failed) = (None, None, None);
-        for (one, why) in self.candidates().iter().zip(outside) {
+        for (one, why) in self.candidates(&place.judged, at) {
             match (one.value(of, at), why) {
                 (Ok(value), None) => return Ok((one, value, None)),
                 // No contact carries or has so much.
@@ -81,8 +94,7 @@ impl<M: Answering> BestContact<M> {
         let wanted = expected.estimate(of)?.value;
         let at = At::Pressure(expected.pressure);
         let place = self.place(at);
-        let valid = self.candidates().iter().zip(self.judged(&place.judged, at));
-        let valid = valid.filter(|(_, outside)| outside.is_none());
+        let valid = self.candidates(&place.judged, at).filter(|(_, outside)| outside.is_none());
         let known = valid.filter_map(|(one, _)| Some((one, one.value(of, at).ok()?)));
         let off = |value: f64| match of {
             Compared::MeanGap => (value - wanted).abs(),
@@ -105,7 +117,7 @@ impl<M: Answering> BestContact<M> {
     #[must_use]
     pub fn others(&self, at: At) -> Vec<Other<M>> {
         let place = self.place(at);
-        let all = self.candidates().iter().zip(self.judged(&place.judged, at));
+        let all = self.candidates(&place.judged, at);
         let other = |(one, outside): (&Candidate<M>, &Option<Finding>)| {
             let off = |of: &Compared| {
                 let (own, answer) = (one.value(*of, at).ok()?, self.known(*of, at).ok()?.value);

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use super::candidates::{Candidate, Place, SharedPlace};
+use super::candidates::{OnDemand, Place, SharedPlace};
 use super::counted::Counted;
 use super::model::{Answering, Best, SolvedContact};
 use crate::evidence::{Compared, Evidence, ExpectedContact};
@@ -31,7 +31,7 @@ pub struct BestContact<M> {
     pub(super) scene: Scene,
     pub(super) request: Request,
     counted: Counted,
-    pub(super) candidates: OnceLock<Vec<Candidate<M>>>,
+    pub(super) candidates: OnceLock<Vec<OnDemand<M>>>,
     pub(super) gaps: Gaps,
     places: Mutex<BTreeMap<(bool, u64), SharedPlace>>,
 }

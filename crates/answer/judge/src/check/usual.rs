@@ -45,7 +45,7 @@ const USUAL: [Usual; 23] = [
     (&["mean_slope", "rms_gradient", "height_std_over_radius"], [0.0, 1.0], 0.1, ""),
     // Of seals, from instruments to long flanges.
     (&["width", "length", "perimeter"], [1e-5, 100.0], 0.01, "m"),
-    (&["upstream_pressure", "pressure_drop"], [100.0, 1e9], 1e6, "Pa"),
+    (&["upstream_pressure"], [100.0, 1e9], 1e6, "Pa"),
     // From hydrogen to thick oils and greases.
     (&["viscosity"], [5e-6, 10.0], 0.01, "Pa s"),
     (&["density"], [50.0, 2.5e4], 1e3, "kg/m^3"),

@@ -4,21 +4,21 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Error, Result};
 use asperity::Quantity;
-use asperity::bem::{Bem, Leak, LoadCase, Solution};
-use asperity_answer::{AnswerError, Press, Sheet, compared, rounded, truth};
+use asperity::bem::{Bem, LoadCase, Solution};
+use asperity_answer::{AnswerError, Press, Sheet, compared, rounded, sealing, truth};
 use asperity_plot::{draw_map, map_png};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
 use crate::input::args::{EndArgs, OutputArgs, PressArgs, file_ending, listed_model_id};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{length, load, pressure, viscosity};
+use crate::input::numbers::{length, load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::{self, terminal};
 use crate::output::{self, contact_map, show};
 use crate::scene::LoadedScene;
 
-/// Boundary elements on the scan of a scene, pressed on an elastic half-space, without asperities
+/// Boundary elements on the scan of a scene, without asperities: contacts, leaks, sealing pressures
 #[derive(Debug, Args)]
 #[command(
     after_help = include_str!("../help/bem.txt")
@@ -33,7 +33,7 @@ pub struct BemCommand {
     places: Places,
     /// Compare models with boundary elements: area, mean gap and, unless --quantity names others,
     /// the stiffness of first loading, with deviations
-    #[arg(long, conflicts_with_all = ["gaps", "map", "picture", "viscosity", "flow_picture"])]
+    #[arg(long, conflicts_with_all = ["gaps", "map", "picture", "flow_picture"])]
     compare: bool,
     /// Models to compare [default: all that the scene allows, with random asperities and Persson]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
@@ -50,13 +50,9 @@ pub struct BemCommand {
     /// --compare tangent, unloading-stiffness or both
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
-    /// Add the flow in m3/s along x and y of a fluid of this viscosity in Pa s, or with a unit, for
-    /// example "1 mPa s"
-    #[arg(long, value_name = "VALUE", value_parser = viscosity, requires = "pressure_drop")]
-    viscosity: Option<f64>,
-    /// Fall of the fluid's pressure from one side of the scan to the other, in Pa
-    #[arg(long, value_name = "VALUE", value_parser = pressure, requires = "viscosity")]
-    pressure_drop: Option<f64>,
+    /// Samples of --sealing-pressure: the scan, and surfaces of its spectrum and heights [default: 8]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=1000))]
+    samples: Option<u16>,
     /// Add the results on every second pixel, to show their dependence on the grid
     #[arg(long)]
     refine: bool,
@@ -75,6 +71,8 @@ pub struct BemCommand {
     output: OutputArgs,
 }
 
+/// Samples of a sealing pressure.
+const SAMPLES: u16 = 8;
 /// How maps are written.
 const NPY: &str = "matrices are written in NumPy format";
 
@@ -87,6 +85,10 @@ struct Places {
     #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = all(pressure))]
     #[arg(action = ArgAction::Append)]
     pressures: Vec<Numbers>,
+    /// Pressures at which the last open path along x and along y closes, over several samples of
+    /// the surface: lowest, middle and highest, since one scan is one of many
+    #[arg(long, conflicts_with_all = ["compare", "quantities", "refine", "map", "flow_picture"])]
+    sealing_pressure: bool,
     /// Loads on the nominal area, in N
     #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load))]
     #[arg(action = ArgAction::Append)]
@@ -123,12 +125,18 @@ impl BemCommand {
                 usage_error("bem", ErrorKind::ArgumentConflict, &text);
             }
         }
+        if self.samples.is_some() && !self.places.sealing_pressure {
+            let text = "--samples needs --sealing-pressure";
+            usage_error("bem", ErrorKind::ArgumentConflict, text);
+        }
         let bem = scene.bem()?;
         show(&bem.note());
+        if self.places.sealing_pressure {
+            return self.seal(&scene, &bem);
+        }
         let (file, name) = (&scene.file, &*scene.name);
         let press = Press {
             name,
-            leak: self.leak()?,
             refine: self.refine,
             keep: [&self.map, &self.picture, &self.flow_picture].into_iter().any(Option::is_some),
             ..Press::new(file, &bem, &given, &self.quantities)
@@ -160,7 +168,7 @@ impl BemCommand {
                 contact_map::write(path, &maps, bem.map().shape())?;
             }
             if let [solution] = &solutions[..] {
-                self.draw(&scene, &bem, solution, &sheet)?;
+                self.draw(&scene, &bem, solution)?;
             }
         }
         if sheet.rows.is_empty() || interrupt::requested() {
@@ -169,28 +177,31 @@ impl BemCommand {
         Ok(())
     }
 
-    /// The fluid whose flow is asked for.
-    fn leak(&self) -> Result<Option<Leak>> {
-        let given = self.viscosity.zip(self.pressure_drop);
-        Ok(given.map(|(viscosity, drop)| Leak::new(viscosity, drop)).transpose()?)
+    /// Sealing pressures of samples of the scan.
+    fn seal(&self, scene: &LoadedScene, bem: &Bem) -> Result<()> {
+        let (watch, samples) = (terminal()?, self.samples.unwrap_or(SAMPLES).into());
+        let reason = |error: AnswerError| Error::msg(error.to_string());
+        let fill = |sheet: &mut _| sealing((&scene.file, bem), samples, sheet, &watch);
+        let (sheet, heaviest) = scene.answer(|sheet| fill(sheet).map_err(reason))?;
+        drop(watch);
+        if sheet.rows.is_empty() {
+            interrupt::end_with("fewer than two samples are solved");
+        }
+        self.output.write(&sheet)?;
+        heaviest.map_or(Ok(()), |solution| self.draw(scene, bem, &solution))
     }
 
     /// Draws the maps of a solved contact.
-    fn draw(
-        &self,
-        scene: &LoadedScene,
-        bem: &Bem,
-        solution: &Solution,
-        sheet: &Sheet,
-    ) -> Result<()> {
+    fn draw(&self, scene: &LoadedScene, bem: &Bem, solution: &Solution) -> Result<()> {
         let interface = &scene.file.scene.interface;
+        let elements = bem.elements(interface)?;
         if let Some(path) = &self.picture {
             let hardness = bem.hardness(interface)?;
-            let map = contact_map::picture(bem, &solution.pressures, sheet, hardness, &scene.name);
-            draw(path, &map)?;
+            let leaks = self.places.sealing_pressure || self.quantities.contains(&Quantity::Leak);
+            let leaks = leaks.then_some(&elements);
+            draw(path, &contact_map::picture(bem, solution, hardness, leaks, &scene.name)?)?;
         }
         if let Some(path) = &self.flow_picture {
-            let elements = bem.elements(interface)?;
             draw(path, &contact_map::flow(bem, &elements, solution, &scene.name)?)?;
         }
         Ok(())

@@ -4,11 +4,10 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 use asperity::bem::Bem;
-use asperity::{
-    At, ContactModel, Finding, Quantity, Request, SeparationUnit, linspace, shortest_digits,
-};
+use asperity::{At, ContactModel, Quantity, Request, SeparationUnit, linspace};
 use asperity_answer::{
-    Beside, Cell, Inquiry, Sheet, best_and_nearest, models, one_model, patch, with_ranges,
+    AnswerError, Beside, Cell, Inquiry, Sheet, at_values, best_and_nearest, models, one_model,
+    patch, solve, with_ranges,
 };
 use asperity_scene::{SceneFile, column_of, read_measurements};
 use clap::Args;
@@ -21,7 +20,7 @@ use crate::input::varied::Varied;
 use crate::interrupt::Terminal;
 use crate::output::plot::{POINTS, Plot};
 use crate::output::table::csv;
-use crate::output::{write, write_text};
+use crate::output::{print_results, write, write_text};
 use crate::scene::LoadedScene;
 
 /// The default quantities.
@@ -37,6 +36,9 @@ const OF_BODIES: [Quantity; 7] = [
     Quantity::AxisY,
     Quantity::Tangent,
 ];
+
+/// The column that tells scenes apart.
+const SCENE: &str = "scene";
 
 /// Columns of places, in the order in which measured points are drawn against them.
 const PLACES: [&str; 5] = ["load_N", "pressure_Pa", "film_m", "lambda", "separation_m"];
@@ -54,6 +56,15 @@ pub struct Curve {
     /// KEY=A:B:N:log or KEY=v,v, with or without units, for example hardness=1GPa:4GPa:4
     #[arg(long, value_name = "KEY=A:B:N|v,v", conflicts_with_all = ["plan", "pull_off", "profile"])]
     vary: Option<Varied>,
+    /// Solve the scan of the scene at these loads by boundary elements: best answers with that
+    #[arg(long, requires = "given", conflicts_with_all = ["vary", "plan", "pull_off"])]
+    solve: bool,
+    /// Add the columns film_m and lambda also at loads and separations
+    #[arg(long, conflicts_with_all = ["plan", "pull_off"])]
+    film_columns: bool,
+    /// Add each stiffness over the nominal area (N/m3) beside it, as solvers and ultrasound have it
+    #[arg(long, conflicts_with_all = ["plan", "pull_off"])]
+    per_area: bool,
     /// Give every separation that carries the load, instead of the largest alone
     #[arg(long, requires = "given")]
     all: bool,
@@ -92,19 +103,47 @@ impl Curve {
     pub fn run(self) -> Result<()> {
         let named = [&self.asked.models[..], self.reference.as_slice()].concat();
         let press = self.press.of_models("curve", &named);
-        if self.plan {
-            return self.print_plan();
-        }
-        if self.pull_off {
-            return pull_off(self.asked, &self.output.output);
-        }
         let ids = &self.asked.models;
         if self.asked.is_nowhere() && ids.iter().any(|id| id == Bem::ID) {
             let text =
                 "bem solves a contact for each place: give --load, --pressure or --separation";
             usage_error("curve", ErrorKind::MissingRequiredArgument, text);
         }
-        let scene = LoadedScene::load_pressing(&self.asked.scene, ids, press)?;
+        let [first, others @ ..] = &self.asked.scenes[..] else { return Ok(()) };
+        let is_of_one = self.plan || self.pull_off || self.profile.is_some();
+        if is_of_one && !others.is_empty() {
+            let text = "--plan, --pull-off and --profile take one scene";
+            usage_error("curve", ErrorKind::ArgumentConflict, text);
+        }
+        if self.plan {
+            return self.print_plan(first);
+        }
+        if self.pull_off {
+            return pull_off(&self.asked, first, &self.output.output);
+        }
+        let (mut sheet, mut drawn) = (Sheet::default(), None);
+        for path in &self.asked.scenes {
+            let name = path.display().to_string();
+            if !others.is_empty() {
+                // Above the messages about it.
+                print_results(&[format!("{name}:")]);
+            }
+            let scene = LoadedScene::load_pressing(path, ids, press)?;
+            let plane = scene.file.plane();
+            let (request, part) = self.rows(scene)?;
+            match others {
+                [] => sheet = part,
+                _ => sheet.append(part, SCENE, &name.as_str().into()),
+            }
+            let known = drawn.map_or(plane, |(_, known)| known);
+            drawn = Some((request, if known == plane { plane } else { "the plane of each scene" }));
+        }
+        let Some((request, plane)) = drawn else { return Ok(()) };
+        self.output.write(&sheet, || self.picture(&sheet, &request, plane))
+    }
+
+    /// What is asked of one scene, and its rows.
+    fn rows(&self, mut scene: LoadedScene) -> Result<(Request, Sheet)> {
         let is_curved = scene.file.shape().is_some();
         self.asked.check_places(is_curved);
         let usual = if is_curved { &OF_BODIES[..] } else { &USUAL };
@@ -113,54 +152,22 @@ impl Curve {
             // The place of the row.
             request.quantities.retain(|quantity| *quantity != Quantity::Approach);
         }
+        if self.solve {
+            scene.file.solved = solve(&scene.file, &request.at, &Terminal::default())?;
+        }
         let ids = match &self.asked.models[..] {
             [] => best_and_nearest(&scene.file, &request)?,
             named => named.to_vec(),
         };
         let fill = |file: &_, sheet: &mut _| self.answer(file, (&ids, &request), sheet);
         let (sheet, ()) = scene.answer(|sheet| match &self.vary {
-            Some(varied) => self.each_value(&scene.file, varied, sheet, fill),
+            Some(Varied { name, values }) => at_values(&scene.file, (name, values), sheet, fill),
             None => with_ranges(&scene.file, sheet, fill),
         })?;
         if let Some(path) = &self.profile {
             self.write_profile(&scene, &request, path)?;
         }
-        self.output.write(&sheet, || self.picture(&sheet, &request, scene.file.plane()))
-    }
-
-    /// The rows at each value of a number of the scene, which follows the model.
-    fn each_value(
-        &self,
-        file: &SceneFile,
-        Varied { name, values }: &Varied,
-        sheet: &mut Sheet,
-        fill: impl Fn(&SceneFile, &mut Sheet) -> Result<()> + Sync,
-    ) -> Result<()> {
-        let input = file.inputs([name.as_str()])?[0];
-        for value in values {
-            let place = || format!("{name} = {}", shortest_digits(*value));
-            let varied = file.with_inputs([(input, *value)]).with_context(place)?;
-            let mut part = Sheet::default();
-            with_ranges(&varied, &mut part, &fill).with_context(place)?;
-            part.heads.insert(1, column_of(name));
-            part.rows.iter_mut().for_each(|row| row.insert(1, (*value).into()));
-            ensure!(
-                sheet.rows.is_empty() || sheet.heads == part.heads,
-                "{}: its rows have other columns than those before, as a range begins or ends",
-                place()
-            );
-            sheet.heads = part.heads;
-            sheet.rows.extend(part.rows);
-            sheet.results.extend(part.results);
-            // One of each code and field: the first value's stands for all.
-            for found in part.findings {
-                let is_known = |one: &Finding| one.code == found.code && one.field == found.field;
-                if !sheet.findings.iter().any(is_known) {
-                    sheet.findings.push(found);
-                }
-            }
-        }
-        Ok(())
+        Ok((request, sheet))
     }
 
     /// The patch of one model at one load.
@@ -221,15 +228,12 @@ impl Curve {
         }
         let columns: Vec<&str> = drawn.iter().map(String::as_str).collect();
         let varied = self.vary.as_ref().map(|varied| column_of(&varied.name));
+        let mut curves = vec!["model", SCENE];
         match &varied {
-            Some(varied) if request.at.len() == 1 => {
-                Plot::new(&["model"], varied, &columns).from(from).svg(&sheet)
-            }
-            varied => {
-                let curves = ["model"].into_iter().chain(varied.as_deref()).collect::<Vec<_>>();
-                Plot::new(&curves, x, &columns).from(from).svg(&sheet)
-            }
+            Some(varied) if request.at.len() == 1 => x = varied,
+            varied => curves.extend(varied.as_deref()),
         }
+        Plot::new(&curves, x, &columns).from(from).svg(&sheet)
     }
 
     fn answer(
@@ -237,7 +241,7 @@ impl Curve {
         file: &SceneFile,
         (ids, request): (&[String], &Request),
         sheet: &mut Sheet,
-    ) -> Result<()> {
+    ) -> Result<(), AnswerError> {
         let reference = self.reference.as_deref();
         let reference = reference.map(|id| one_model(file, Some(id))).transpose()?;
         let models = models(file, ids, SceneFile::models, &request.quantities, sheet)?;
@@ -247,14 +251,18 @@ impl Curve {
             None => Beside::Nothing,
         };
         let (all, at_defaults, request) = (self.all, self.asked.is_nowhere(), request.clone());
-        let films = self.asked.is_of_film();
+        let films = self.film_columns || self.asked.is_of_film();
         let inquiry =
             Inquiry { beside, all, at_defaults, films, ..Inquiry::new(file, models, request) };
-        Ok(inquiry.answer(sheet, &Terminal::default())?)
+        inquiry.answer(sheet, &Terminal::default())?;
+        if self.per_area {
+            sheet.add_per_area(file.scene.nominal_area);
+        }
+        Ok(())
     }
 
-    fn print_plan(&self) -> Result<()> {
-        let scene = LoadedScene::load(&self.asked.scene, &[])?;
+    fn print_plan(&self, path: &Path) -> Result<()> {
+        let scene = LoadedScene::load(path, &[])?;
         let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
         let find = |sheet: &mut _| {
             models(&scene.file, &self.asked.models, SceneFile::models, &request.quantities, sheet)

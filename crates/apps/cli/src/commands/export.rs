@@ -4,14 +4,16 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Error, Result};
 use asperity::{At, Separation, Tolerance};
-use asperity_answer::{AnswerError, ConductanceAgainst, Export, Sheet, TableFormat, UnitSystem};
+use asperity_answer::{
+    AnswerError, ConductanceAgainst, Export, Nodes, Sheet, TableFormat, UnitSystem, solve,
+};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 
 use crate::input::args::{EndArgs, model_id};
 use crate::input::distances::{Length, metre};
-use crate::input::lists::{Span, range};
+use crate::input::lists::{Span, range, range_or_list};
 use crate::input::numbers::{friction, load, number, pressure, share_above_0};
 use crate::input::{usage_error, valid};
 use crate::interrupt::Terminal;
@@ -37,6 +39,9 @@ pub struct ExportCommand {
     end: EndArgs,
     #[command(flatten)]
     ends: Ends,
+    /// Solve the scan of the scene at a list of loads by boundary elements: best has that
+    #[arg(long, conflicts_with = "max_error")]
+    solve: bool,
     /// Add nodes until the relative error of the interpolated pressure is below this bound, for
     /// example 1% or 0.01
     #[arg(long, value_name = "X", value_parser = share_above_0)]
@@ -71,12 +76,12 @@ struct Ends {
     /// Range of ratios of the film to the standard deviation of the surface heights
     #[arg(long, value_name = "A:B:N", value_parser = range(number))]
     lambda: Option<Span>,
-    /// Range of loads, in N, or with a unit, for example 2kN
-    #[arg(long, value_name = "A:B[:N[:log]]", value_parser = range(load))]
-    load: Option<Span>,
-    /// Range of pressures on the nominal area, in Pa, or with a unit, for example 5MPa
-    #[arg(long, value_name = "A:B[:N[:log]]", value_parser = range(pressure))]
-    pressure: Option<Span>,
+    /// Range of loads, or a list of them as the nodes, in N, or with a unit, for example 2kN
+    #[arg(long, value_name = "A:B[:N[:log]]|v,v", value_parser = range_or_list(load))]
+    load: Option<(Span, Vec<f64>)>,
+    /// The same as pressures on the nominal area, in Pa, or with a unit, for example 5MPa
+    #[arg(long, value_name = "A:B[:N[:log]]|v,v", value_parser = range_or_list(pressure))]
+    pressure: Option<(Span, Vec<f64>)>,
 }
 
 /// The forms of tables.
@@ -102,13 +107,15 @@ fn against() -> impl TypedValueParser<Value = ConductanceAgainst> {
 impl ExportCommand {
     pub fn run(self) -> Result<()> {
         let Ends { separation, film, lambda, load, pressure } = self.ends;
-        let span = separation
-            .map(|s| s.value)
-            .or(film)
-            .or(lambda)
-            .or(load)
-            .or(pressure)
-            .context("a range was required")?;
+        let loads = load.as_ref().or(pressure.as_ref());
+        let spans = [separation.map(|s| s.value), film, lambda, loads.map(|(span, _)| *span)];
+        let span = spans.into_iter().find_map(|span| span).context("a range was required")?;
+        let place = |value| if load.is_some() { At::Load(value) } else { At::Pressure(value) };
+        let listed: Vec<At> = loads.iter().flat_map(|(_, list)| list).copied().map(place).collect();
+        if self.solve && listed.is_empty() {
+            let text = "--solve needs a list of loads or pressures: v,v";
+            usage_error("export", ErrorKind::MissingRequiredArgument, text);
+        }
         let is_film = self.format == TableFormat::Film;
         if span.count.is_none() && (is_film || self.max_error.is_none()) {
             let text = match is_film {
@@ -118,23 +125,27 @@ impl ExportCommand {
             usage_error("export", ErrorKind::MissingRequiredArgument, text);
         }
         valid("export", self.format.check(self.conductance, self.friction));
-        let scene = LoadedScene::load(&self.scene, std::slice::from_ref(&self.model))?
-            .taken_at(&self.end)?;
+        let scene = LoadedScene::load(&self.scene, std::slice::from_ref(&self.model))?;
+        let mut scene = scene.taken_at(&self.end)?;
+        if self.solve {
+            scene.file.solved = solve(&scene.file, &listed, &Terminal::default())?;
+        }
         let model = scene.model(Some(&self.model))?;
-        let ends = [span.first, span.last].map(|value| match (separation, load, pressure) {
-            (Some(s), ..) => scene.file.separation(value, s.unit).into(),
-            (_, Some(_), _) => At::Load(value),
-            (.., Some(_)) => At::Pressure(value),
-            _ if film.is_some() => Separation::metres(value).from_surface_mean().into(),
-            _ => Separation::film_ratio(value).into(),
+        let ends = [span.first, span.last].map(|value| match separation {
+            Some(s) => scene.file.separation(value, s.unit).into(),
+            None if loads.is_some() => place(value),
+            None if film.is_some() => Separation::metres(value).from_surface_mean().into(),
+            None => Separation::film_ratio(value).into(),
         });
         scene.report(scene.file.judge(&model, None, &ends));
+        let (count, log, max_error) = (span.count.unwrap_or(2), span.log, self.max_error);
+        let nodes = match &listed[..] {
+            [] => Nodes::Range { ends, count, log, max_error },
+            listed => Nodes::Loads(listed),
+        };
         let export = Export {
             subject: scene.subject(&model, Tolerance::default()),
-            ends,
-            nodes: span.count.unwrap_or(2),
-            log: span.log,
-            max_error: self.max_error,
+            nodes,
             format: self.format,
             units: self.units,
             conductance: self.conductance,

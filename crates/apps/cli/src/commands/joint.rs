@@ -50,7 +50,7 @@ pub struct Joint {
     retreat: Option<Distances>,
     /// Coefficient of friction, for example 0.2 or 20%: the joint slips
     #[arg(long, value_name = "MU", value_parser = friction, requires = "cycle")]
-    #[arg(conflicts_with_all = ["retreat", "history", "history_load"])]
+    #[arg(conflicts_with_all = ["retreat", "history", "history_load", "history_pressure"])]
     friction: Option<f64>,
     #[command(flatten)]
     cycle: Cycle,
@@ -91,6 +91,10 @@ struct Closed {
     #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
     #[arg(value_parser = all(load))]
     history_load: Option<Numbers>,
+    /// Turning points as pressures on the nominal area, in Pa, or with a unit, for example 5MPa
+    #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
+    #[arg(value_parser = all(pressure))]
+    history_pressure: Option<Numbers>,
 }
 
 /// The amplitude of a cycle: a shift, or tangential forces.
@@ -121,13 +125,14 @@ impl Closed {
             let place = |value: &f64| At::from(scene.file.separation(*value, list.unit));
             places.extend(list.value.iter().map(place));
         }
-        places.extend(loads(self.load.iter().chain(&self.history_load), &self.pressure));
+        let pressures = self.pressure.iter().chain(&self.history_pressure);
+        places.extend(loads(self.load.iter().chain(&self.history_load), pressures));
         scene.report(scene.file.judge(model, None, &places));
         places
     }
 
     fn turns(&self) -> bool {
-        self.history.is_some() || self.history_load.is_some()
+        self.history.is_some() || self.history_load.is_some() || self.history_pressure.is_some()
     }
 }
 
@@ -168,7 +173,7 @@ impl Joint {
             return self.output.write(&sheet, || plot.svg(&sheet));
         }
         let [closest] = places[..] else {
-            let text = "give one closest approach, --load or --pressure; --history and --history-load take several";
+            let text = "give one closest approach, --load or --pressure; --history, --history-load and --history-pressure take several";
             usage_error("joint", ErrorKind::TooManyValues, text)
         };
         let retreats = self.retreat.as_ref().map(|list| (&list.value[..], list.unit));

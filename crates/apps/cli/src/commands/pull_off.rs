@@ -1,5 +1,7 @@
 //! The largest tension of surfaces with adhesion: `curve --pull-off`.
 
+use std::path::Path;
+
 use anyhow::{Result, bail};
 use asperity_answer::ALL_MODELS;
 
@@ -9,8 +11,8 @@ use crate::output::once;
 use crate::scene::LoadedScene;
 
 /// Writes the largest tension.
-pub fn pull_off(asked: ModelArgs, output: &OutputArgs) -> Result<()> {
-    let scene = LoadedScene::load(&asked.scene, &[])?;
+pub fn pull_off(asked: &ModelArgs, path: &Path, output: &OutputArgs) -> Result<()> {
+    let scene = LoadedScene::load(path, &[])?;
     if scene.file.scene.interface.work_of_adhesion.is_none() {
         let how = "set it in the scene, for example work_of_adhesion = \"50 mJ/m2\"";
         bail!("{}: work_of_adhesion is missing: {how}", scene.name);

@@ -22,9 +22,9 @@ use crate::output::{self, once};
 /// Models of a scene, quantities, and separations or loads.
 #[derive(Debug, Args)]
 pub struct ModelArgs {
-    /// Scene file; `asperity init` writes an example
-    #[arg(value_name = "SCENE")]
-    pub scene: PathBuf,
+    /// Scene files; `asperity init` writes an example
+    #[arg(value_name = "SCENE", required = true)]
+    pub scenes: Vec<PathBuf>,
     /// Models by id, as listed by `asperity list models` [default: best and the valid
     /// model nearest to it; `all` for all models of asperities that the scene allows]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]

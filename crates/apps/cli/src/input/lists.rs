@@ -144,94 +144,20 @@ pub fn range(
     move |text| have_units(text, &one).and_then(|_| Span::read(text, &one))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn two_sizes_have_units_or_an_x() {
-        for (text, wanted) in [
-            ("0.5", [0.5, 0.5]),
-            ("1x5", [1.0, 5.0]),
-            ("1 um x 5 um", [1e-6, 5e-6]),
-            ("5e-7x4e-7", [5e-7, 4e-7]),
-        ] {
-            assert_eq!(sizes(text, length), Ok(wanted), "{text}");
+/// Reads a range likewise, or a list of at least two numbers: its ends, and the numbers.
+pub fn range_or_list(
+    one: fn(&str) -> Result<f64, String>,
+) -> impl Fn(&str) -> Result<(Span, Vec<f64>), String> + Clone {
+    move |text| {
+        if text.contains(':') {
+            return Ok((range(one)(text)?, vec![]));
         }
-        for text in ["1,5", "1,5um", "1x5um", "1x2x3", "1um,5um"] {
-            assert!(sizes(text, length).is_err(), "{text}");
+        let Numbers(list) = Numbers::read(text, &one)?;
+        match list[..] {
+            [first, .., last] => {
+                Ok((Span { first, last, count: Some(list.len()), log: false }, list))
+            }
+            _ => Err("write A:B, A:B:N or several values v,v".into()),
         }
-    }
-    use crate::input::numbers::{load, load_or_tension, pressure};
-
-    fn numbers(text: &str) -> Result<Vec<f64>, String> {
-        text.parse::<Numbers>().map(|numbers| numbers.0)
-    }
-
-    #[test]
-    fn ranges_and_lists_are_read() {
-        assert_eq!(numbers("-1:4:11").unwrap()[..2], [-1.0, -0.5]);
-        assert_eq!(numbers("0:4:401").unwrap()[400..], [4.0]);
-        assert_eq!(numbers("-1e-6,2, 3").unwrap(), [-1e-6, 2.0, 3.0]);
-        assert_eq!(numbers("0:9:1e1").unwrap().len(), 10);
-        let log = numbers("0.1:7:3:log").unwrap();
-        assert_eq!((log[0], log[2]), (0.1, 7.0));
-        assert!((log[1] * log[1] / 0.7 - 1.0).abs() < 1e-14);
-        assert_eq!(numbers("1:1e6:4:log").unwrap(), [1.0, 100.0, 1e4, 1e6]);
-        assert_eq!(all(load)("10 N:2kN:3").unwrap().0, [10.0, 1005.0, 2000.0]);
-        assert_eq!(all(pressure)("5 MPa,1e5Pa").unwrap().0, [5e6, 1e5]);
-        let span = Span::even("0:4", &number).unwrap();
-        assert_eq!((span.first, span.last, span.count), (0.0, 4.0, None));
-        assert_eq!(range(load)("10N:2kN").unwrap().last.to_bits(), 2000f64.to_bits());
-        for (mixed, part) in [
-            ("1:20kN:5", "1 has"),
-            ("1kN:20:5", "20 has"),
-            ("1kN,2", "2 has"),
-            ("1, 2kN", "1 has"),
-            ("0,5kN", "0 has"),
-        ] {
-            let refused = [all(load)(mixed).unwrap_err(), all(load_or_tension)(mixed).unwrap_err()];
-            assert!(refused.iter().all(|r| r.contains(part)), "{mixed}: {refused:?}");
-        }
-        for refused in [range(load)("1kN:20:5"), range(pressure)("1:2MPa")] {
-            assert!(refused.unwrap_err().contains("has no unit"));
-        }
-        assert!(range(pressure)("0:1MPa").is_err() && range(load)("1:2kN:3:log").is_err());
-        assert_eq!(Span::even("-1:4:9", &number).unwrap().count, Some(9));
-    }
-
-    #[test]
-    fn everything_else_is_refused() {
-        for bad in [
-            "",
-            ",",
-            "1,,2",
-            "1:2",
-            "4:0:5",
-            "1:1:5",
-            "0:4:1",
-            "0:4:2.5",
-            "0:4:-3",
-            "0:4:9999999",
-            "a:b:c",
-            "0:4:5:6",
-            "1:4:5:lin",
-            "1:4:5:log:log",
-            "0:4:5:log",
-            "-1:4:5:log",
-            "nan",
-            "inf",
-            "0:inf:3",
-            "--model",
-            "0:4:",
-            "-1e308:1e308:3",
-            "1;2",
-        ] {
-            assert!(numbers(bad).is_err(), "{bad}");
-        }
-        assert_eq!(all(load_or_tension)("-10mN,2N").unwrap().0, [-0.01, 2.0]);
-        assert!(all(load_or_tension)("-1,0").is_err() && all(load)("1 mm").is_err());
-        assert!(Span::even("1:3:4:log", &number).is_err());
-        assert!(range(load)("1:3:4:log").is_ok_and(|span| span.log));
     }
 }

@@ -29,11 +29,6 @@ pub fn length(text: &str) -> Result<f64, String> {
     of_unit(text, "m").and_then(positive)
 }
 
-/// A viscosity above 0, in Pa s or with its unit.
-pub fn viscosity(text: &str) -> Result<f64, String> {
-    of_unit(text, "Pa s").and_then(positive)
-}
-
 /// A finite number, plain or with its unit.
 pub fn of_unit(text: &str, si: &str) -> Result<f64, String> {
     match asperity_scene::quantity(text, si)? {
@@ -133,41 +128,5 @@ pub fn positive(value: f64) -> Result<f64, String> {
     match value > 0.0 {
         true => Ok(value),
         false => Err(format!("{} is not above 0", shortest_digits(value))),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_have_their_units() {
-        assert!(load("5MPa").is_err() && pressure("5 kN").is_err());
-        assert_eq!(friction("45\u{b0}").map(f64::to_bits), Ok(45f64.to_radians().tan().to_bits()));
-        assert_eq!([friction("20%"), friction("0.2")], [Ok(0.2), Ok(0.2)]);
-        assert!(friction("11,5\u{b0}").is_err());
-        assert_eq!(length("0.1 um").map(f64::to_bits), Ok(1e-7f64.to_bits()));
-    }
-
-    #[test]
-    fn everything_else_is_refused() {
-        assert!(pressure_or_tension("0").is_err() && pressure("inf").is_err());
-        assert_eq!([whole("1e3"), whole("17"), whole("1.5e1")], [Ok(1000), Ok(17), Ok(15)]);
-        assert_eq!(whole("18446744073709551615"), Ok(u64::MAX), "exactly");
-        assert!(
-            whole("1e-3").is_err()
-                && whole("-1").is_err()
-                && whole("1e30").is_err()
-                && whole("nan").is_err()
-        );
-        assert!(count_up_to(9)("10").is_err() && count_up_to(9)("9") == Ok(9));
-        assert_eq!([share("5%"), share("5 %"), share("0.05")], [Ok(0.05), Ok(0.05), Ok(0.05)]);
-        assert_eq!(share("5").unwrap_err(), "5 means 500 %; write 5% or 0.05");
-        assert_eq!([share("0"), share("95%")], [Ok(0.0), Ok(0.95)]);
-        assert!(share("0,5%").is_err());
-        assert_eq!([slope("8%"), slope("0.08")], [Ok(0.08), Ok(0.08)]);
-        assert!(slope("0,08").is_err() && slope("-8%").is_err() && slope("steep").is_err());
-        assert!(share("500%").is_err() && share("five").is_err());
-        assert!(positive_number("0").is_err() && positive_number("-1").is_err());
     }
 }

@@ -5,43 +5,54 @@ use std::path::Path;
 
 use anyhow::Result;
 use asperity::bem::{Bem, BemError, BoundaryElements, Direction, Solution};
-use asperity_answer::{Sheet, rounded};
+use asperity_answer::rounded;
 use asperity_plot::{Map, legible};
 
 use crate::output;
 
-/// The map of the one contact of a sheet; `hardness` where there is one.
+/// The map of a contact; `hardness` where there is one, and the tightest gaps of `leaks`.
 pub fn picture(
     bem: &Bem,
-    pressures: &[f64],
-    sheet: &Sheet,
+    solution: &Solution,
     hardness: Option<f64>,
+    leaks: Option<&BoundaryElements>,
     name: &str,
-) -> Map {
-    let value = |column: &str| {
-        let cell = sheet.column(column).and_then(|k| sheet.rows.first()?[k].number());
-        cell.unwrap_or(f64::NAN)
-    };
+) -> Result<Map, BemError> {
     let mut caption = vec![format!(
         "{:.3} % of the area is in contact, in {} patches, under a mean pressure of {}; mean gap {}.",
-        100.0 * value("area_fraction"),
-        value("patches"),
-        said(value("pressure_Pa"), "Pa"),
-        said(value("mean_gap_m"), "m"),
+        100.0 * solution.area,
+        solution.patches.len(),
+        said(solution.mean_pressure, "Pa"),
+        said(solution.mean_gap, "m"),
     )];
     if let Some(hardness) = hardness {
         caption.push(format!(
             "Black is plastic: {:.3} % of the area carries the hardness, {}.",
-            100.0 * value("plastic_fraction"),
+            100.0 * solution.plastic_area,
             said(hardness, "Pa"),
         ));
     }
-    Map {
+    let ([rows, columns], mut marks) = (bem.map().shape(), vec![]);
+    for (elements, along) in leaks.iter().flat_map(|of| Direction::ALL.map(|along| (of, along))) {
+        if let Some((gap, at)) = elements.tightest_gap(solution, along)? {
+            let centre = |k: usize, count: usize| (k as f64 + 0.5) / count as f64;
+            marks.push((
+                along.to_string(),
+                [centre(at % columns, columns), centre(at / columns, rows)],
+            ));
+            let gap = said(gap, "m");
+            caption.push(format!(
+                "Square {along}: the tightest gap of the widest path along {along}, {gap}."
+            ));
+        }
+    }
+    Ok(Map {
+        marks,
         title: format!("Contact pressure on {name}"),
         caption,
         white: "white: no contact".into(),
-        ..Map::of_pressures(pressures, bem.map().shape(), bem.map().pixel(), hardness)
-    }
+        ..Map::of_pressures(&solution.pressures, bem.map().shape(), bem.map().pixel(), hardness)
+    })
 }
 
 /// The map of the flow along x through the gap of a contact; contacts have a colour of their own.

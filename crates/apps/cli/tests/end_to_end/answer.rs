@@ -1,7 +1,6 @@
 //! `asperity answer`: the same numbers as the model `best` of other commands.
 
-use asperity::{At, Best, Compared, Model, Quantity, Tolerance};
-use asperity_answer::Answer;
+use asperity::{At, Compared, Tolerance};
 
 use crate::bench::{Bench, cells, column};
 
@@ -82,46 +81,4 @@ fn every_way_to_an_answer_gives_the_same_digits() {
         "{}",
         apart.messages
     );
-}
-
-#[test]
-fn an_answer_has_ten_lines_with_values_between_limits() {
-    let bench = examples();
-    let text = bench.data("answer bolted-joint.toml --load 20kN");
-    assert!(text.lines().count() <= 12, "{text}");
-    for part in ["real area, share of the nominal", "first-loading stiffness", "mean gap", "by  "] {
-        assert!(text.contains(part), "{part}: {text}");
-    }
-    let file = bench.scene("bolted-joint.toml");
-    let asked = Answer::new(&file, &[], [At::Load(2e4)], Tolerance::default());
-    let mut sheet = asperity_answer::Sheet::default();
-    let basis = asked.answer(&file, &mut sheet).unwrap();
-    assert!(basis.by.contains("nine of ten surfaces of this spectrum"), "{}", basis.by);
-    assert!(basis.also.contains("not valid here: gw"), "{}", basis.also);
-    assert!(asked.request.quantities.contains(&Quantity::ThermalConductancePerArea));
-    // Every model with its deviation, the answer first.
-    let all = bench.data("answer bolted-joint.toml --load 20kN --quantity area --all --format csv");
-    assert_eq!(cells(&all, "model")[0], Best::<Model>::ID);
-    assert!(cells(&all, "model").contains(&"zmc"));
-    assert!(column(&all, "area_deviation")[0].abs() < 1e-15, "{all}");
-}
-
-#[test]
-fn what_was_solved_answers_only_where_it_is_asked_for() {
-    let bench = crate::bem::bench();
-    let ask = "answer scan.toml --pressure 3e8 --quantity area-fraction --format csv";
-    let [without, with] = [ask.into(), format!("{ask} --solve")].map(|line| bench.data(&line));
-    let solved = bench.data("bem scan.toml --pressure 3e8 --format csv");
-    let [without, with, solved] =
-        [without, with, solved].map(|text| column(&text, "area_fraction")[0]);
-    assert!((with / solved - 1.0).abs() < 1e-12, "{with} {solved}");
-    assert!((without / solved - 1.0).abs() > 1e-6, "{without} {solved}");
-}
-
-#[test]
-fn a_fit_refuses_the_answer_with_the_reason() {
-    let bench = Bench::new();
-    let run =
-        bench.run("fit scene.toml --free hardness --load 1 --target area_fraction=1% --model best");
-    assert!(run.code != Some(0) && run.messages.contains("best"), "{}", run.messages);
 }

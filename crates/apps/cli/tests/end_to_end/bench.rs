@@ -36,6 +36,19 @@ roughness_parameter = 0.04
 asperity_height_std = 1e-6
 ";
 
+/// A soft body on a rigid one, which adhere.
+pub const SOFT: &str = "nominal_area = 1e-4
+work_of_adhesion = \"50 mJ/m2\"
+rigid_counterface = true
+[[body]]
+youngs_modulus = \"1 MPa\"
+poissons_ratio = 0.5
+[surface]
+asperity_radius = 1e-4
+asperity_density = 1e9
+asperity_height_std = 1e-6
+";
+
 /// The template with the lines that tell what conducts: those below the commented [interface] stand
 /// in the second body then.
 pub fn conducting() -> String {
@@ -127,26 +140,15 @@ impl Run {
     }
 }
 
-/// A csv: its head, and its rows.
-pub fn csv(text: &str) -> (Vec<&str>, Vec<Vec<&str>>) {
-    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-    let head = lines.next().unwrap().split(',').collect();
-    (head, lines.map(|line| line.split(',').collect()).collect())
-}
-
-/// The cells of one column.
+/// The cells of one column of a csv.
 pub fn cells<'t>(text: &'t str, name: &str) -> Vec<&'t str> {
-    let (head, rows) = csv(text);
-    let place = head.iter().position(|h| *h == name).unwrap_or_else(|| panic!("no {name}"));
-    rows.iter().map(|row| row[place]).collect()
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let mut head = lines.next().unwrap().split(',');
+    let place = head.position(|h| h == name).unwrap_or_else(|| panic!("no {name}"));
+    lines.map(|line| line.split(',').nth(place).unwrap()).collect()
 }
 
 /// The numbers of one column.
 pub fn column(text: &str, name: &str) -> Vec<f64> {
     cells(text, name).iter().map(|cell| cell.parse().unwrap()).collect()
-}
-
-/// The same where cells may be blank.
-pub fn column_of(data: &str, name: &str) -> Vec<Option<f64>> {
-    cells(data, name).iter().map(|cell| cell.parse().ok()).collect()
 }

@@ -81,17 +81,6 @@ fn an_answer_that_fails_leaves_the_old_file() {
     assert_eq!(bench.data(&format!("{CURVE} --output -")), bench.data(CURVE));
 }
 
-#[test]
-fn an_existing_scene_is_kept() {
-    let bench = Bench::new();
-    bench.write("mine.toml", "mine");
-    let run = bench.run("init mine.toml");
-    assert_eq!((run.code, run.out.as_str()), (Some(1), ""));
-    assert_eq!(bench.read("mine.toml"), "mine");
-    bench.data("init new.toml");
-    assert_eq!(bench.read("new.toml"), bench.data("init"));
-}
-
 #[cfg(unix)]
 #[test]
 fn file_names_may_be_invalid_utf8() {
@@ -119,13 +108,4 @@ fn file_names_may_be_invalid_utf8() {
     let run = curve(OsStr::new("ke"));
     assert_eq!(run.code, Some(1));
     assert!(run.messages.contains("sc\u{fffd}ne.toml"), "{}", run.messages);
-}
-
-#[test]
-fn an_output_never_overwrites_its_input() {
-    let bench = Bench::new();
-    let scene = bench.read("scene.toml");
-    let run = bench.run(&format!("{CURVE} --output scene.toml"));
-    assert!(run.code == Some(2) && run.messages.contains("--output"), "{}", run.messages);
-    assert_eq!(bench.read("scene.toml"), scene);
 }

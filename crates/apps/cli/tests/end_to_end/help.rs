@@ -49,33 +49,6 @@ fn the_help_lists_every_file_of_commands() {
     assert_eq!(listed[0], "init");
 }
 
-#[test]
-fn quiet_leaves_out_warnings_and_notes_and_keeps_errors() {
-    let bench = Bench::new();
-    let line = "curve scene.toml --load 3e5 --model gw";
-    let (loud, quiet) = (bench.run(line), bench.run(&format!("{line} --quiet")));
-    assert!(loud.messages.contains("warning[beyond-full-contact]: ") && quiet.messages.is_empty());
-    assert_eq!((loud.out, loud.code), (quiet.out, quiet.code));
-    let failed = bench.run("--quiet curve scene.toml --model ke --load 1e40");
-    assert_eq!(failed.code, Some(1));
-    assert!(failed.messages.starts_with("error: ") && failed.messages.lines().count() == 1);
-}
-
-#[test]
-fn a_strict_run_ends_with_1_unless_its_warnings_are_accepted() {
-    let bench = Bench::new();
-    let line = "curve scene.toml --model ke --load 10MN --quantity area";
-    let loose = bench.run(line);
-    assert_eq!(loose.code, Some(0), "{}", loose.messages);
-    assert!(loose.messages.starts_with("warning[beyond-full-contact]"));
-    let strict = bench.run(&format!("{line} --strict --quiet"));
-    assert_eq!((strict.code, strict.out), (Some(1), loose.out.clone()));
-    assert!(strict.messages.contains("--strict"), "{}", strict.messages);
-    let accepted = bench.run(&format!("{line} --strict --accept beyond-full-contact,deep"));
-    assert_eq!((accepted.code, accepted.out), (Some(0), loose.out), "{}", accepted.messages);
-    assert!(!accepted.messages.contains("warning"), "{}", accepted.messages);
-}
-
 /// A line as a shell runs it, with the program on its path.
 pub fn sh(bench: &Bench, line: &str) -> Run {
     let program = std::path::Path::new(env!("CARGO_BIN_EXE_asperity"));

@@ -1,28 +1,7 @@
 //! `bem`: hydraulic gaps, flows and their map.
 
 use crate::bem::bench;
-use crate::bench::{Bench, column, csv};
-
-#[test]
-fn a_fluid_adds_hydraulic_gaps_and_flows_until_the_contact_seals() {
-    let bench = bench();
-    let fluid = ["--viscosity", "1 mPa s", "--pressure-drop", "2bar"];
-    let arguments = "bem scan.toml --elastic --pressure 1e8,4e10 --format csv";
-    let mut command = bench.command();
-    command.args(arguments.split(' ')).args(fluid);
-    let run = crate::bench::Run::of(command.output().unwrap());
-    assert_eq!(run.code, Some(0), "{}", run.messages);
-    let of = |name: &str| column(&run.out, name);
-    let (gaps, flows) = (of("hydraulic_gap_x_m"), of("flow_x_m3_per_s"));
-    // A square: h³ Δp/(12 μ).
-    assert!((flows[0] / (gaps[0].powi(3) * 2e5 / 12e-3) - 1.0).abs() < 1e-12, "{flows:?}");
-    assert!(gaps[0] > 0.2 * of("mean_gap_m")[0] && of("hydraulic_gap_y_m")[0] > 0.0);
-    // Sealed.
-    assert!([gaps[1], flows[1], of("flow_y_m3_per_s")[1]].iter().all(|none| *none == 0.0));
-    // Unasked, there are none.
-    let bare = bench.data("bem scan.toml --pressure 1e8 --format csv");
-    assert!(csv(&bare).0.iter().all(|head| !head.contains("flow") && !head.contains("hydraulic")));
-}
+use crate::bench::{Bench, column};
 
 #[test]
 fn the_map_of_the_flow_shows_contact_and_path() {
@@ -35,6 +14,27 @@ fn the_map_of_the_flow_shows_contact_and_path() {
     }
     let closed = bench.run("bem scan.toml --elastic --pressure 4e10 --flow-picture flow.svg");
     assert!(closed.code == Some(0) && bench.read("flow.svg").contains("no open path"));
+}
+
+#[test]
+fn a_seal_closes_between_its_lowest_and_its_highest_sealing_pressure() {
+    let bench = bench();
+    let asked = "bem seal.toml --elastic --sealing-pressure --samples 3 --picture last.svg";
+    let run = bench.run(&format!("{asked} --format csv"));
+    assert_eq!(run.code, Some(0), "{}", run.messages);
+    let of = |which: &str| column(&run.out, &format!("{which}_sealing_pressure_Pa"));
+    let [low, middle, high] = ["lowest", "middle", "highest"].map(of);
+    assert!(low.len() == 2 && column(&run.out, "samples") == [3.0, 3.0], "{}", run.out);
+    for k in 0..2 {
+        assert!(low[k] <= middle[k] && middle[k] <= high[k] && low[k] < high[k]);
+    }
+    // The heaviest contact is open along x, y or both.
+    assert!(bench.read("last.svg").contains("the tightest gap of the widest path"));
+    // The scan is one of the samples.
+    let ends = format!("{},{}", 0.98 * low[0], 1.02 * high[0]);
+    let asked = format!("bem seal.toml --elastic --pressure {ends} --quantity leak --format csv");
+    let flows = column(&bench.data(&asked), "leak_x_kg_per_s");
+    assert!(flows[0] > 0.0 && flows[1] == 0.0, "{flows:?}");
 }
 
 /// The commands beside the picture of the guide make it; single pixels may have other shades

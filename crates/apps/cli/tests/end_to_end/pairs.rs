@@ -1,60 +1,6 @@
 //! Two rough surfaces whose asperities meet.
 
-use crate::bench::{Bench, cells, column};
-
-fn bench() -> Bench {
-    let bench = Bench::new();
-    let template = asperity_scene::template();
-    bench.write("equal.toml", template);
-    let film = "separation_from = \"surface-mean\"";
-    let from = template.replace("separation_from = \"asperity-mean\"", film);
-    bench.write("film.toml", &from);
-    bench
-}
-
-#[test]
-fn pairs_are_checked_unloaded_and_slide() {
-    let bench = bench();
-    let checked = bench.data("check equal.toml --model ke-pairs --load 100 --format csv");
-    assert!(checked.contains("by ke-pairs"), "{checked}");
-    let asked = "joint equal.toml --model ke-pairs --load 100";
-    let unloaded = bench.data(&format!("{asked} --retreat 0 --format csv"));
-    assert!((column(&unloaded, "force_N")[0] / 100.0 - 1.0).abs() < 1e-9, "{unloaded}");
-    let slips = bench.run(&format!("{asked} --friction 0.2 --amplitude 1e-7"));
-    assert_eq!(slips.code, Some(1), "{}", slips.messages);
-}
-
-/// The separation at a load is the distance of the mean planes, which the asperities of both
-/// surfaces part, and leads back to that load.
-#[test]
-fn separations_are_those_of_the_pair() {
-    let bench = bench();
-    let run = |scene: &str, at: &str| {
-        bench.data(&format!(
-            "curve {scene}.toml --model ke-pairs {at} --quantity force --format csv"
-        ))
-    };
-    let at_load = |scene: &str| column(&run(scene, "--load 100"), "separation_m")[0];
-    let film = at_load("film");
-    let offset = 2.0 * 0.045_944_074_618_5 / (2e-4 * 2e8);
-    assert!(((film - at_load("equal")) / offset - 1.0).abs() < 1e-9, "{film}");
-    let force = column(&run("film", &format!("--separation {film:e}m")), "force_N")[0];
-    assert!((force / 100.0 - 1.0).abs() < 1e-9, "{force}");
-}
-
-#[test]
-fn another_joint_is_told_unless_a_counterface_makes_it_the_same() {
-    let bench = bench();
-    let ask = "--model gw,gw-pairs --reference gw --load 100 --format csv";
-    let run = bench.run(&format!("curve equal.toml {ask}"));
-    assert!(run.messages.contains("[other-joint]"), "{}", run.messages);
-    let text = asperity_scene::template();
-    let line = "# counterface = { sq = 4e-7, spd = 3e8, spc = 4e3 }";
-    bench.write("both.toml", &text.replace(line, &line[2..]));
-    let run = bench.run(&format!("curve both.toml {ask}"));
-    assert!(!run.messages.contains("other-joint"), "{}", run.messages);
-    assert_eq!(cells(&run.out, "model"), ["gw", "gw-pairs"]);
-}
+use crate::bench::{Bench, column};
 
 /// Two like surfaces by moments, the second one named or not.
 fn by_moments(bench: &Bench) {
@@ -155,22 +101,4 @@ fn the_head_of_a_film_table_says_what_a_code_must_use() {
     // β and ψ of one surface: a contact of both has half the radius and w_c.
     near(of("roughness_parameter"), 0.04);
     near(of("plasticity_index"), (5e-7 / (2.0 * of("critical_interference"))).sqrt());
-}
-
-#[test]
-fn flow_factors_beside_skewed_heights_have_a_warning() {
-    let bench = Bench::new();
-    let skewed = asperity_scene::template()
-        .replace("heights = \"gaussian\"", "heights = { skewness = -1 }\nmean_plane_offset = 1e-6");
-    bench.write("skewed.toml", &skewed);
-    for asked in [
-        "export skewed.toml --model ke --as film",
-        "curve skewed.toml --model gw --quantity shear-flow-factor",
-    ] {
-        for (scene, times) in [("skewed", 1), ("scene", 0)] {
-            let run = bench.run(&format!("{} --lambda 1:3:3", asked.replace("skewed", scene)));
-            let said = run.messages.matches("warning[gaussian-factors]").count();
-            assert_eq!((run.code, said), (Some(0), times), "{}", run.messages);
-        }
-    }
 }

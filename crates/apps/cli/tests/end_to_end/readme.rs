@@ -4,8 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-use crate::adhesion::SOFT;
-use crate::bench::{Bench, NEGATIVE, NO_SHEAR, Run};
+use crate::bench::{Bench, NEGATIVE, NO_SHEAR, Run, SOFT};
 use crate::help::sh;
 
 /// The examples, below the root of the repository.
@@ -16,8 +15,7 @@ fn the_walk_throughs_show_the_real_output() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut files = files("tests/walkthrough");
     files.push(folder.join("README.md"));
-    let mut all = String::new();
-    for file in &files {
+    let shown = |file: &PathBuf| {
         let bench = Bench::new();
         for example in fs::read_dir(folder.join("../../..").join(EXAMPLES)).unwrap() {
             let path = example.unwrap().path();
@@ -25,11 +23,18 @@ fn the_walk_throughs_show_the_real_output() {
                 fs::copy(&path, bench.folder().join(path.file_name().unwrap())).unwrap();
             }
         }
-        all += &checked(file, &bench, |line, run| {
+        checked(file, &bench, |line, run| {
             assert_eq!(run.code, Some(0), "{line}\n{}", run.messages);
             run.messages + &run.out
-        });
-    }
+        })
+    };
+    let all: String = std::thread::scope(|scope| {
+        let runs: Vec<_> = files.iter().map(|file| scope.spawn(|| shown(file))).collect();
+        runs.into_iter().map(|run| run.join().unwrap()).collect()
+    });
+    let cited = Bench::new().data("list models gw --format bibtex");
+    let cited = cited.split("\n\n").next().unwrap();
+    assert!(fs::read_to_string(folder.join("../../../README.md")).unwrap().contains(cited));
     let readme = fs::read_to_string(folder.join("README.md")).unwrap();
     assert!(readme.contains(&format!("cd {EXAMPLES}")));
     assert!(readme.split_whitespace().count() <= 1200);
@@ -42,7 +47,7 @@ fn the_walk_throughs_show_the_real_output() {
     }
 }
 
-/// What users are told, a file a command, to be read as prose when it changes: refusals end with
+/// What users are told, and rows of each option, read as prose when they change: refusals end with
 /// 2 where the command line is wrong, with 1 where a file is, and print no data.
 #[test]
 fn transcripts_are_those_that_were_read() {
@@ -77,6 +82,7 @@ fn files(folder: &str) -> Vec<PathBuf> {
 /// The text of a file, whose commands print what it shows.
 fn checked(file: &Path, bench: &Bench, show: impl Fn(&str, Run) -> String) -> String {
     let shown = fs::read_to_string(file).unwrap();
+    assert!(shown.contains("```console\n$ "), "{}", file.display());
     let real = replayed(bench, &shown, show);
     if env::var_os("ASPERITY_BLESS").is_some() {
         fs::write(file, &real).unwrap();

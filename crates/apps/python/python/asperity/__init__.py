@@ -43,6 +43,7 @@ from asperity._bem import BemUnloading as BemUnloading
 from asperity._bem import bem as bem
 from asperity._bem import bem_slip as bem_slip
 from asperity._bem import bem_unloading as bem_unloading
+from asperity._bem import sealing_pressure as sealing_pressure
 from asperity._bem import truth as truth
 from asperity._curve import Curve as Curve
 from asperity._fit import Estimate as Estimate

@@ -404,7 +404,6 @@ def bem(
     given: tuple[str, Sequence[_Float]],
     keep: bool,
     quantities: str | Iterable[str] | None,
-    leak: tuple[_Float, _Float] | None,
 ) -> tuple[_Table, list[_Floats] | None, list[int]]: ...
 def bem_unloading(
     pressed: _Pressed,
@@ -415,6 +414,7 @@ def bem_unloading(
 def bem_slip(
     pressed: _Pressed, given: tuple[str, _Float], friction: _Float, cycle: tuple[_Float, int]
 ) -> tuple[_Table, _Floats, list[int]]: ...
+def sealing_pressure(pressed: _Pressed, samples: int) -> _Table: ...
 def truth(
     scene: Scene,
     pressures: Sequence[_Float],

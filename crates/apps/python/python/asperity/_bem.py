@@ -45,8 +45,6 @@ def bem(
     elastic: bool = False,
     boundary: Boundary | None = None,
     quantities: Sequence[str] = (),
-    viscosity: float | str | None = None,
-    pressure_drop: float | str | None = None,
     maps: bool = True,
 ) -> BemContacts:
     """Contacts of a scan with an elastic half-space, solved by boundary elements pixel by pixel.
@@ -84,10 +82,6 @@ def bem(
         "leak", for a scene with [seal]: the flow of a liquid or gas through it along both, as
         ``leak_x_kg_per_s`` and in other units, 0 with a result where no path is left, and
         ``tightest_gap_x_m``, the tightest gap on the widest path.
-    viscosity, pressure_drop : float
-        Of a fluid [Pa s], and the fall of its pressure from one side of the scan to the other [Pa]:
-        adds the hydraulic gaps and the flows ``flow_x_m3_per_s`` and ``flow_y_m3_per_s`` through
-        the outline of the scan; both or neither.
     maps : bool
         Whether the maps of pressures and gaps are kept: 16 bytes per pixel and contact.
 
@@ -103,16 +97,50 @@ def bem(
     """
     name, given = place(pressure=pressure, load=load, gap=gap)
     values = floats(given, name).ravel().tolist()
-    if (viscosity is None) != (pressure_drop is None):
-        raise TypeError("viscosity and pressure_drop: both or neither was required")
-    fluid = in_si(viscosity, "Pa s"), in_si(pressure_drop, "Pa")
-    leak = None if viscosity is None else fluid
     scan = surface, interface, level, (boundary, elastic)
-    found, kept, pixels = _asperity.bem(scan, (name, values), maps, quantities or None, leak)
+    found, kept, pixels = _asperity.bem(scan, (name, values), maps, quantities or None)
     contacts = BemContacts(*found)
     pressures, gaps = (None, None) if kept is None else (map.reshape(-1, *pixels) for map in kept)
     vars(contacts).update(pressures=pressures, gaps=gaps)
     return contacts
+
+
+def sealing_pressure(
+    surface: Topography | Scene,
+    *,
+    samples: int = 8,
+    interface: Interface | None = None,
+    level: str | None = None,
+    elastic: bool = False,
+    boundary: Boundary | None = None,
+) -> Table:
+    """Mean pressures at which contacts close the last open path through a scan.
+
+    A row for flow along x and one along y: ``lowest_``, ``middle_`` and ``highest_`` of
+    ``sealing_pressure_Pa``, within 1 %, and of ``area_fraction``, and the ``tightest_gap_m`` on the
+    last paths. NaN where no path is open under the lightest contacts, with a result that says so.
+    Gaps smaller than the molecule of [seal] of a scene, 0.3 nm without one, count as closed.
+
+    Parameters
+    ----------
+    samples : int
+        2 to 1000: the scan, and surfaces with its spectrum and nearly its distribution of heights,
+        but other phases. One scan is one of many, whose pressures scatter by some ten per cent.
+    surface, interface, level, elastic, boundary
+        As in ``bem``; the boundary is not "free".
+
+    Examples
+    --------
+    >>> import asperity
+    >>> scan = asperity.random_surface((64, 64), 1e-6, long=32e-6, short=8e-6, sq=1e-7, seed=1)
+    >>> found = asperity.sealing_pressure(scan, interface=asperity.Interface(1e9, 0.3), samples=2)
+    >>> bool((found["lowest_sealing_pressure_Pa"] <= found["highest_sealing_pressure_Pa"]).all())
+    True
+    """
+    if not 2 <= samples <= 1000:
+        raise ValueError(f"samples is {samples}: 2 to 1000 were required")
+    scan = surface, interface, level, (boundary, elastic)
+    return Table(*_asperity.sealing_pressure(scan, samples))
 
 
 class BemUnloading(Table):

@@ -1,8 +1,8 @@
 //! Contacts of a scan under loads and on its way back, and models compared with them.
 
-use asperity::bem::{BemError, Leak};
+use asperity::bem::BemError;
 use asperity::linspace;
-use asperity_answer::{Press, Sheet, Watch, compared, truth_of};
+use asperity_answer::{Press, Sheet, Watch, compared, sealing, truth_of};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -26,14 +26,11 @@ pub(crate) fn bem<'py>(
     given: (String, Vec<f64>),
     keep: bool,
     quantities: Option<Quantities>,
-    leak: Option<(f64, f64)>,
 ) -> PyResult<Contacts<'py>> {
-    let leak = leak.map(|(viscosity, drop)| Leak::new(viscosity, drop)).transpose();
-    let leak = leak.map_err(value_error)?;
     let quantities = quantities.map_or(vec![], |quantities| quantities.0);
     let Pressed { bem, file } = Pressed::new(pressed)?;
     let all = load_cases(given, file.scene.nominal_area);
-    let press = Press { name: "bem", leak, keep, ..Press::new(&file, &bem, &all, &quantities) };
+    let press = Press { name: "bem", keep, ..Press::new(&file, &bem, &all, &quantities) };
     let mut sheet = Sheet::default();
     let solved = run_interruptible(py, |stop| press.solve(&mut sheet, stop))?;
     let mut solved = solved.map_err(|error| without(&sheet, error))?.into_iter();
@@ -50,6 +47,22 @@ pub(crate) fn bem<'py>(
     }
     let maps = keep.then(|| maps.map(|map| PyArray1::from_vec(py, map)));
     Ok((table(py, &sheet)?, maps, bem.map().shape()))
+}
+
+/// Sealing pressures along x and y over samples of the surface.
+#[pyfunction]
+pub(crate) fn sealing_pressure<'py>(
+    py: Python<'py>,
+    pressed: Arguments<'py>,
+    samples: usize,
+) -> PyResult<Table<'py>> {
+    let Pressed { bem, file } = Pressed::new(pressed)?;
+    let mut sheet = Sheet::default();
+    let found =
+        run_interruptible(py, |stop| sealing((&file, &bem), samples, &mut sheet, stop).map(drop))?;
+    found.map_err(|error| without(&sheet, error))?;
+    warn_of(py, &file, &sheet)?;
+    table(py, &sheet)
 }
 
 /// Solves the contact at a mean pressure, load or mean gap, and after retreats \[m\] from it: those

@@ -1,5 +1,6 @@
 //! Reproducible random surfaces: a power law with a roll-off and random phases.
 
+mod another;
 mod lay;
 mod skewed;
 mod waves;

@@ -1,7 +1,7 @@
 //! Flow through the gap of a contact: closed forms, dense systems, symmetries, and real contacts.
 
 use asperity_bem::{
-    Boundary, BoundaryElements, Direction, Fluid, Gas, HeightMap, Leak, LoadCase, RandomSurface,
+    Boundary, BoundaryElements, Direction, Fluid, Gas, HeightMap, LoadCase, RandomSurface,
     Rarefaction, Seal, SealFlow, Solution,
 };
 use nalgebra::{DMatrix, DVector};
@@ -291,18 +291,6 @@ fn coarse_pixels_give_nearly_the_same_gap() {
     close(found[0], found[1], 0.02);
 }
 
-#[test]
-fn flow_follows_from_the_gap_and_the_outline() {
-    let map = HeightMap::new((0..50).map(f64::from).collect(), [5, 10], [1e-6; 2]).unwrap();
-    let leak = Leak::new(1e-3, 1e6).unwrap();
-    // 1e-18 m3 1e6 Pa/(12 1e-3 Pa s) = 8.33e-11 m3/s on a square; twice as long as wide along x.
-    close(leak.flow(1e-6, &map, Direction::X), 1e-12 / 12e-3 / 2.0, 1e-14);
-    close(leak.flow(1e-6, &map, Direction::Y), 1e-12 / 12e-3 * 2.0, 1e-14);
-    for (viscosity, drop) in [(0.0, 1.0), (1.0, -1.0), (f64::NAN, 1.0)] {
-        assert!(Leak::new(viscosity, drop).is_err());
-    }
-}
-
 /// Helium at 20 °C from 10 to 1 bar through a seal as wide as long, all gaps open.
 fn helium(kind: Rarefaction) -> Seal {
     let gas = Gas::new(1.96e-5, 4.002_602e-3, 293.15, kind).unwrap();
@@ -408,5 +396,5 @@ fn the_tightest_gap_is_that_of_the_widest_path_and_a_molecule_has_to_pass() {
         let (elements, solution) = contact(&gaps, 30, [1e-6; 2], boundary);
         elements.tightest_gap(&solution, Direction::X).unwrap()
     });
-    assert!(tightest.contains(&Some(3e-9)) && tightest.contains(&None), "{tightest:?}");
+    assert!(tightest.contains(&Some((3e-9, 885))) && tightest.contains(&None), "{tightest:?}");
 }

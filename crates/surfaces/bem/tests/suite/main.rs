@@ -15,6 +15,7 @@ mod model;
 mod notes;
 mod plasticity;
 mod reference;
+mod sealing;
 mod slip;
 mod steps;
 mod surfaces;

@@ -150,7 +150,7 @@ impl Block {
             let Some(value) = value(field, comma) else {
                 self.values.truncate(start);
                 let point = if comma { "" } else { " with a decimal point" };
-                let required = format!("a finite number{point}, or nan,");
+                let required = format!("a finite number{point}, or nan");
                 return Err(refuse_line(number, &text(field), &required));
             };
             self.values.push(value);
@@ -163,7 +163,7 @@ impl Block {
         }
         let (found, required) = (self.values.len() - start, self.columns);
         if found != required && self.ragged.is_none() {
-            let required = format!("a row of {required}, as the first,");
+            let required = format!("a row of {required}, as the first");
             self.ragged = Some(match Delimiter::has_two_commas(line) && !comma {
                 true => two_commas(number, line),
                 false => refuse(format!("line {number}"), format!("a row of {found}"), required),

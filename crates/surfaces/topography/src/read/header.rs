@@ -176,7 +176,7 @@ impl Header {
 
     /// The unit that the header states for the heights.
     pub(super) fn unit(&self) -> Result<Option<LengthUnit>, TopographyError> {
-        let required = "a unit of length, or a conversion factor of the heights,";
+        let required = "a unit of length, or a conversion factor of the heights";
         let unit = |entry: &Entry| entry.words.parse().map_err(|_| entry.wrong(required));
         self.find(["unit"]).map(unit).transpose()
     }
@@ -198,7 +198,7 @@ impl Header {
         if self.find(["scaled"]).is_some_and(scaled) {
             return Ok(None);
         }
-        let required = "the factor from the heights to a unit of length, as in (-> m)=1e-9,";
+        let required = "the factor from the heights to a unit of length, as in (-> m)=1e-9";
         if let (Some(wavelength), Some(divisor)) =
             (self.find(["wavelength"]), self.find(["divisor"]))
         {
@@ -300,7 +300,7 @@ impl Header {
         let both = || self.find(["size"]).filter(|entry| square || entry.numbers.len() == 2);
         let size = self.find([["width"], ["height"]][axis]).or_else(both);
         if let Some(entry) = size.filter(|entry| !entry.counts(false)) {
-            let length = entry.positive(axis, "a length, for example 10 um,")?;
+            let length = entry.positive(axis, "a length, for example 10 um")?;
             match entry.unit_or(lateral)? {
                 Some(unit) => {
                     let whole = length * unit.metres();

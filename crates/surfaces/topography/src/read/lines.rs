@@ -36,7 +36,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, [u8]>, TopographyError> {
 fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Result<Vec<u8>, TopographyError> {
     let units = bytes.as_chunks().0.iter().map(|pair| unit(*pair));
     let text: Result<String, _> = char::decode_utf16(units).collect();
-    let required = "UTF-16 text, by the first two bytes,";
+    let required = "UTF-16 text, by the first two bytes";
     Ok(text.map_err(|error| refuse_line(1, &error.to_string(), required))?.into_bytes())
 }
 

@@ -140,7 +140,7 @@ mod tests {
     #[test]
     fn irregular_grids_are_refused() {
         let message = |values: &[f64]| grid(values.to_vec()).unwrap_err().to_string();
-        assert!(message(&[0.0, 0.0, 1.0]).contains("1 positions was found"));
+        assert!(message(&[0.0, 0.0, 1.0]).contains("1 positions;"));
         assert!(
             message(&[0., 0., 1., 1., 0., 1., 0., 1., 1., 1., 0., 2.]).contains("a second point")
         );

@@ -53,7 +53,7 @@ pub(super) fn profile(
     let step = (last - first) / (places.len().max(2) - 1) as f64;
     if !(step > 0.0 && step.is_finite()) {
         return Err(wrong(match places.len() {
-            1 => format!("a single position, {first:?},"),
+            1 => format!("a single position, {first:?}"),
             many => format!("a profile of {many} positions from {first:?} to {last:?}"),
         }));
     }
@@ -168,7 +168,7 @@ mod tests {
     fn positions_without_order_are_refused() {
         assert!(message(&[0.0, 2.0, 1.0, 3.0]).contains("1.0 as position 3 after 2.0"));
         assert!(message(&[0.0, 0.0, 3.0]).contains("0.0 as position 2 after 0.0"));
-        assert!(message(&[1.0]).starts_with("x: a single position, 1.0, was found"));
+        assert!(message(&[1.0]).starts_with("x: a single position, 1.0;"));
         assert!(message(&[]).contains("no position"));
         assert!(message(&[0.0, f64::NAN, 2.0]).contains("NaN as position 2"));
         assert!(message(&[0.0, f64::NAN]).contains("2 positions from 0.0"));

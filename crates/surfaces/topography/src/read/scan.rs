@@ -6,7 +6,8 @@ use asperity_core::{Code, Finding};
 use serde::{Deserialize, Deserializer};
 
 use crate::error::{at_most, excerpt, out_of_range, refuse, undecided, unknown_name};
-use crate::{Distance, LengthUnit, MAX_POINTS, Topography, TopographyError};
+use crate::topography::extremes;
+use crate::{Distance, Given, LengthUnit, MAX_POINTS, Topography, TopographyError};
 
 /// Smaller pixels \[m\] are refused: no instrument resolves them.
 const ATOM: f64 = 1e-11;
@@ -32,12 +33,14 @@ pub struct ReadOptions {
     /// The channel of a file with several (.gwy, .sur): its name, or its number among those of
     /// heights, from 1. By default the first one with heights. Of a text with several tables, the
     /// name or the number of the table; it has no default.
+    #[serde(deserialize_with = "word")]
     pub channel: Option<String>,
     /// Units of a text that states none: of lengths and heights, or of x, y and heights.
     pub units: Option<Vec<LengthUnit>>,
     /// The columns of a text: `x,y,z` for each column, with `-` for those left out; the number of
     /// the column of heights, from 1; `matrix`, if all are heights; or `axes`, if the first row or
     /// column, or both, are positions.
+    #[serde(deserialize_with = "word")]
     pub columns: Option<String>,
     /// The number of lines at the beginning of a text that are not read.
     pub skip_lines: usize,
@@ -68,6 +71,14 @@ fn sides<'de, D: Deserializer<'de>>(given: D) -> Result<Option<[Distance; 2]>, D
     }))
 }
 
+/// A text, or a number as one.
+fn word<'de, D: Deserializer<'de>>(given: D) -> Result<Option<String>, D::Error> {
+    Ok(Some(match Given::deserialize(given)? {
+        Given::Text(text) => text,
+        Given::Number(number) => number.to_string(),
+    }))
+}
+
 impl ReadOptions {
     /// The share of missing points that is accepted by default.
     pub const MAX_MISSING: f64 = 0.1;
@@ -87,7 +98,7 @@ impl ReadOptions {
         }
         if let Some(delimiter) = self.delimiter.filter(|delimiter| !delimiter.is_ascii()) {
             let found = format!("{delimiter:?}");
-            return Err(refuse("delimiter", found, "an ASCII character, for example \";\","));
+            return Err(refuse("delimiter", found, "an ASCII character, for example \";\""));
         }
         match self.units.as_ref().map(Vec::len) {
             None | Some(2 | 3) => Ok(()),
@@ -222,9 +233,7 @@ fn refuse_code(heights: &[f64]) -> Result<(), TopographyError> {
     let measured = || heights.iter().copied().filter(|z| !z.is_nan());
     let same = |a: &f64, b: &f64| (a - b).abs() <= 0.0;
     let n = measured().count();
-    for end in
-        [measured().fold(f64::INFINITY, f64::min), measured().fold(f64::NEG_INFINITY, f64::max)]
-    {
+    for end in extremes(heights) {
         let count = measured().filter(|z| same(z, &end)).count();
         if n < FEWEST || (count as f64) < CODED * n as f64 || n - count < FEWEST {
             continue;

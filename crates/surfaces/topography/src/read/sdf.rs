@@ -4,6 +4,7 @@
 
 use std::fmt::Display;
 
+use super::lines::value;
 use super::sample::{Bytes, Sample};
 use super::scan::{Scan, points, positive};
 use crate::error::refuse;
@@ -188,7 +189,7 @@ fn text(bytes: &[u8]) -> Result<(Vec<f64>, Header), TopographyError> {
         for word in line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()) {
             let required = "a finite number or BAD";
             let unread = || refuse("sdf data", String::from_utf8_lossy(word), required);
-            heights.push(height(word).ok_or_else(unread)?);
+            heights.push(value(word, false).ok_or_else(unread)?);
         }
     }
     if heights.len() != n {
@@ -202,12 +203,4 @@ fn text(bytes: &[u8]) -> Result<(Vec<f64>, Header), TopographyError> {
         mark(&mut heights, header.sample, bcr);
     }
     Ok((heights, header))
-}
-
-fn height(word: &[u8]) -> Option<f64> {
-    if [&b"bad"[..], b"nan"].iter().any(|mark| word.eq_ignore_ascii_case(mark)) {
-        return Some(f64::NAN);
-    }
-    let number: f64 = std::str::from_utf8(word).ok()?.parse().ok()?;
-    number.is_finite().then_some(number)
 }

@@ -84,8 +84,11 @@ fn take_positions(block: &mut Block) -> Result<Option<Column>, TopographyError> 
         block.values.splice(..0, std::iter::once(f64::NAN).chain(numbers));
         return Ok(Some(corner));
     }
-    if n > 3 && 2 * numbers.len() >= n && block.is_like(text) && !text.starts_with(['#', '%']) {
-        return Err(refuse_line(*number, text, "a row of finite numbers, or nan,"));
+    // A stray quote hides the fields behind it.
+    let bare = text.replace('"', "");
+    let numbers = block.delimiter.fields(bare.as_bytes()).filter_map(|field| value(field, comma));
+    if n > 3 && 2 * numbers.count() >= n && block.is_like(text) && !text.starts_with(['#', '%']) {
+        return Err(refuse_line(*number, text, "a row of finite numbers, or nan"));
     }
     Ok(None)
 }

@@ -134,13 +134,10 @@ fn dimensions(root: Node<'_, '_>) -> Result<[u64; 2], TopographyError> {
 
 fn coordinate(root: Node<'_, '_>, axis: &str) -> Result<Coordinate, TopographyError> {
     let path = |name| ["Record1", "Axes", axis, name];
-    let sample = match text(root, &path("DataType"))? {
-        "I" => Sample::new(*b"i2"),
-        "L" => Sample::new(*b"i4"),
-        "F" => Sample::new(*b"f4"),
-        "D" => Sample::new(*b"f8"),
-        other => return Err(refuse(place(&path("DataType")), other, "I, L, F or D")),
-    };
+    let kind = text(root, &path("DataType"))?;
+    let sample = [("I", b"i2"), ("L", b"i4"), ("F", b"f4"), ("D", b"f8")];
+    let sample = sample.into_iter().find(|(name, _)| *name == kind).map(|(_, of)| Sample::new(*of));
+    let sample = sample.ok_or_else(|| refuse(place(&path("DataType")), kind, "I, L, F or D"))?;
     let step = number(root, &path("Increment"))?.unwrap_or(1.0);
     Ok(Coordinate { sample, step, offset: number(root, &path("Offset"))?.unwrap_or(0.0) })
 }

@@ -167,3 +167,25 @@ proptest! {
         measure("a.xyz", &bytes);
     }
 }
+
+/// A mark in the place of any byte, before it or twice, changes no size; but one that makes a
+/// comment of a row.
+#[test]
+fn a_mark_anywhere_keeps_the_size_or_is_refused() {
+    let row = |row: &[f64]| row.iter().map(|z| format!("{z:.2}")).collect::<Vec<_>>();
+    for delimiter in [" ", ","] {
+        let rows: Vec<_> = waves(5).chunks(5).map(|line| row(line).join(delimiter)).collect();
+        let good = rows.join("\n");
+        for (at, mark) in
+            (0..good.len()).flat_map(|at| "\"',;\t\n .-ex".bytes().map(move |m| (at, m)))
+        {
+            for (removed, added) in [(1, 1), (0, 1), (1, 2), (0, 2)] {
+                let mut bytes = good.clone().into_bytes();
+                bytes.splice(at..at + removed, vec![mark; added]);
+                let found = read_bytes("a.txt", &bytes, &lenient());
+                let size = found.map_or((5, 5), |surface| (surface.columns(), surface.rows()));
+                assert_eq!(size, (5, 5), "{:?}", String::from_utf8_lossy(&bytes));
+            }
+        }
+    }
+}

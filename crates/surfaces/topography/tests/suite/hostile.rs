@@ -205,7 +205,7 @@ fn hostile_gwy() {
         broken[at..at + bytes.len()].copy_from_slice(bytes);
         broken
     };
-    refused(&with(b"xres\0i", &[0; 4]), "xres: 0 was found, a finite number above 0");
+    refused(&with(b"xres\0i", &[0; 4]), "xres: 0; required: a finite number above 0");
     refused(&with(b"xres\0i", &[0xff; 4]), "xres: -1");
     let big = with(b"xres\0i", &1_000_000_000i32.to_le_bytes());
     refused(&big, "points: 4000000000");

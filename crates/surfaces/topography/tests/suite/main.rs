@@ -14,4 +14,5 @@ mod scale;
 mod spectra;
 mod tables;
 mod texts;
+mod turned;
 mod wording;

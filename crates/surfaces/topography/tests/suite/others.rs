@@ -163,18 +163,18 @@ fn missing_points_of_sdf_have_their_marks() {
         assert!(text.contains(part), "{text}");
     };
     refused(sdf_text("aISO-1.0", [5, 5], &text).as_bytes(), "25 numbers, for 5 x 5 points");
-    refused(sdf_text("aISO-1.0", [5, 3], &text).as_bytes(), "data: more was found, 15 numbers");
+    refused(sdf_text("aISO-1.0", [5, 3], &text).as_bytes(), "data: more; required: 15 numbers");
     refused(sdf_text("aISO-1.0", [5, 0], &text).as_bytes(), "NumProfiles: 0");
     let big = sdf_text("aISO-1.0", [1_000_000_000, 1_000_000_000], &text);
     refused(big.as_bytes(), "number of points");
-    refused(sdf_text("aISO-1.0", [10_000, 10_000], &text).as_bytes(), "bytes was found, 100000000");
+    refused(sdf_text("aISO-1.0", [10_000, 10_000], &text).as_bytes(), "bytes; required: 100000000");
     let zscale = text_with("Zscale = 1e-6", "Zscale = nan", &text);
     refused(zscale.as_bytes(), "Zscale: NaN");
     let packed = text_with("Compression = 0", "Compression = 1", &text);
     refused(packed.as_bytes(), "Compression: 1");
     refused(&sdf("bISO-2.0", [u32::MAX, u32::MAX], 5, &[0; 8]), "number of points");
     refused(&sdf("bISO-2.0", [5, 4], 9, &[0; 8]), "DataType: 9");
-    refused(&sdf("bISO-3.0", [5, 4], 5, &[0; 8]), "version: 3.0 was found, 1.0 or 2.0");
+    refused(&sdf("bISO-3.0", [5, 4], 5, &[0; 8]), "version: 3.0; required: 1.0 or 2.0");
 }
 
 fn text_with(from: &str, to: &str, data: &str) -> String {

@@ -109,7 +109,7 @@ fn columns_that_are_no_heights_are_refused() {
     let one = |name: &str| {
         format!("{name}\n") + &(0..COLUMNS).map(|j| format!("{}\n", z(0, j))).collect::<String>()
     };
-    let none = "a column of heights was required";
+    let none = "required: a column of heights";
     cases([
         (two("x(mm)\tSlope (urad)", TAB), "", none),
         (two("x [mm];Steigung [mrad]", GERMAN), "unit=um", none),
@@ -121,7 +121,7 @@ fn columns_that_are_no_heights_are_refused() {
         (two("Distance/um;Winkel/°", GERMAN), "unit=nm", none),
         (two("#x gradient", Style(" ", ".", "")), "units=um,nm", none),
         (two("X;Y\n[um];[V]", GERMAN), "unit=nm", none),
-        (two("x (um)\tz (V)", TAB), "unit=nm columns=x,z", "a unit of length was required"),
+        (two("x (um)\tz (V)", TAB), "unit=nm columns=x,z", "required: a unit of length"),
         (one("Slope (urad)"), "unit=nm pixel=0.25um", none),
         (one("intensity"), "unit=nm pixel=0.25um", none),
         (two("x(um)\tz (nm)", TAB), "", ""),

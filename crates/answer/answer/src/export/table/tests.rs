@@ -22,7 +22,7 @@ fn table(
 ) -> Outcome<ContactTable> {
     let file = SceneFile::from(scene.clone());
     let subject = Subject { file: &file, name: "", id: model.id(), model, tolerance };
-    Builder::new(&subject, interpolation)?.between(ends, nodes, max_error)
+    Builder::new(&subject, interpolation, &[])?.between(ends, nodes, max_error)
 }
 
 fn ke(
@@ -44,7 +44,7 @@ fn errors_fall_as_the_interpolation_promises() {
     // Halving the intervals divides the error by 2² for lines and by 2⁴ for cubics.
     for (interpolation, order) in [(Interpolation::Linear, 4.0), (Interpolation::Hermite, 16.0)] {
         let (coarse, fine) = (even(81, interpolation), even(161, interpolation));
-        let ratio = coarse.pressure_error / fine.pressure_error;
+        let ratio = coarse.errors.unwrap()[0] / fine.errors.unwrap()[0];
         assert!((ratio / order - 1.0).abs() < 0.15, "{interpolation:?}: {ratio}");
     }
 }
@@ -55,7 +55,11 @@ fn an_asked_error_is_met_with_few_nodes() {
         let ends = [-1.0, 4.0].map(At::sigmas);
         let within = |error| ke(ends, 2, Some(error), interpolation);
         let table = within(1e-4).unwrap();
-        assert!(table.pressure_error <= 1e-4 && table.nodes.len() <= most, "{}", table.nodes.len());
+        assert!(
+            table.errors.unwrap()[0] <= 1e-4 && table.nodes.len() <= most,
+            "{}",
+            table.nodes.len()
+        );
         assert!(
             table.nodes.is_sorted_by(|a, b| a.separation < b.separation && a.pressure > b.pressure)
         );
@@ -168,7 +172,7 @@ fn the_error_stated_holds_between_all_points_and_is_close() {
         let range = ([first, last].map(At::sigmas), 2, Some(error));
         let table = table(&model, &scene, tolerance, range, interpolation).unwrap();
         let [pressure, slope] = scan(&table, interpolation, &model, &scene);
-        let (stated, of_slope) = (table.pressure_error, table.stiffness_error);
+        let [stated, of_slope] = table.errors.unwrap();
         assert!(stated <= error && pressure <= stated, "{id} {error}: {pressure} {stated}");
         assert!(slope <= of_slope, "{id} {error}: {slope} {of_slope}");
         assert!(

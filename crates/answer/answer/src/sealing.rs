@@ -1,0 +1,90 @@
+//! The mean pressures at which contacts of a scan, and of surfaces like it, close their last path.
+
+use asperity::bem::{Bem, Continuation, Direction, Progress, Sealing, Solution};
+use asperity::{ATOMIC_DISTANCE, Code, Finding, short};
+use asperity_scene::SceneFile;
+
+use crate::leak::tight;
+use crate::{AnswerError, Cell, Sheet, Watch};
+
+/// What is said of the samples: its column, and its value in each.
+type Number = (&'static str, fn(&Sealing) -> f64);
+const NUMBERS: [Number; 2] =
+    [("sealing_pressure_Pa", |found| found.pressure), ("area_fraction", |found| found.area)];
+
+/// Fills a sheet with a row for each direction of flow through the scan of a scene: the lowest, the
+/// middle and the highest sealing pressure of samples, which are the scan and surfaces of its
+/// spectrum and heights with other phases. Returns the heaviest contact of the scan with an open
+/// path. Where the work is stopped, the samples are those done by then, and rows need two.
+///
+/// # Errors
+/// A scan that is no part of a larger surface, and a sample that is not solved.
+pub fn sealing(
+    (file, bem): (&SceneFile, &Bem),
+    samples: usize,
+    sheet: &mut Sheet,
+    watch: &dyn Watch,
+) -> Result<Option<Solution>, AnswerError> {
+    let heads = NUMBERS.iter().flat_map(|(head, _)| {
+        ["lowest", "middle", "highest"].map(|which| format!("{which}_{head}"))
+    });
+    sheet.heads = ["flow_along", "samples"].map(String::from).into_iter().chain(heads).collect();
+    sheet.heads.push("tightest_gap_m".into());
+    if bem.continuation() == Continuation::Free {
+        return Err("a sealing pressure is that of samples of a larger surface: set boundary to \"periodic-part\" or \"periodic\"".into());
+    }
+    let seal = file.spec.seal.map(|seal| seal.resolved()).transpose()?;
+    let molecule = seal.map_or(ATOMIC_DISTANCE, |seal| seal.molecule);
+    let (mut found, mut heaviest) = (vec![], None);
+    for sample in 0..samples {
+        let bem = if sample == 0 { bem.clone() } else { bem.another(sample as u64) };
+        let elements = bem.elements(&file.scene.interface)?;
+        let progress = |of: &Progress| {
+            let (sample, load) = (sample + 1, of.done + 1);
+            watch.step(&format!("bem: sample {sample} of {samples}, load {load}"))
+        };
+        match elements.sealing(molecule, progress) {
+            Ok((sealed, _)) if sample > 0 => found.push(sealed),
+            Ok((sealed, last)) => {
+                // Several samples are what few patches need.
+                let is_shown = |note: &Finding| note.code != Code::FewPatches;
+                let notes = last.iter().flat_map(|last| last.notes.clone());
+                sheet.findings.extend(notes.filter(is_shown));
+                (found, heaviest) = (vec![sealed], last);
+            }
+            Err(_) if watch.is_stopped() => break,
+            Err(error) => return Err(format!("sample {sample}: {error}").into()),
+        }
+    }
+    if found.len() < 2 {
+        return Ok(heaviest);
+    }
+    sheet.result(format!(
+        "sealing pressures of {} samples, within 1 % each: the scan, and surfaces with its spectrum and nearly its distribution of heights; gaps below {} nm count as closed",
+        found.len(),
+        short(1e9 * molecule)
+    ));
+    for (k, along) in Direction::ALL.into_iter().enumerate() {
+        let mut all: Vec<Option<Sealing>> = found.iter().map(|sealed| sealed[k]).collect();
+        let pressure = |one: &Option<Sealing>| one.map_or(0.0, |one| one.pressure);
+        all.sort_by(|a, b| pressure(a).total_cmp(&pressure(b)));
+        let (count, last) = (all.len(), all.len() - 1);
+        let never = all.iter().filter(|one| one.is_none()).count();
+        if never > 0 {
+            sheet.result(format!("along {along} no path is open in {never} of {count} samples, down to the lightest contacts: their sealing pressures count as the lowest, and are blank"));
+        }
+        let mut row = vec![Cell::from(&*along.to_string()), (count as f64).into()];
+        for (_, number) in NUMBERS {
+            let of = |at: usize| all[at].as_ref().map(number);
+            let middle = of(last / 2).zip(of(count / 2)).map(|(a, b)| 0.5 * (a + b));
+            row.extend([of(0), middle, of(last)].map(Cell::from));
+        }
+        let gaps = all.iter().flatten().map(|one| one.tightest_gap);
+        let tightest = gaps.min_by(f64::total_cmp);
+        row.push(tightest.into());
+        sheet.rows.push(row);
+        let field = format!("tightest_gap_{along}");
+        sheet.findings.extend(tightest.and_then(|gap| tight(field, gap)));
+    }
+    Ok(heaviest)
+}

@@ -1,0 +1,80 @@
+//! The rows of several scenes, or of several values of a number of one, below each other.
+
+use asperity::{Finding, shortest_digits};
+use asperity_scene::{SceneFile, column_of};
+
+use crate::inquiry::column_of_end;
+use crate::subject::Outcome;
+use crate::{AnswerError, Cell, ENDS, Sheet, with_ranges};
+
+/// Fills a sheet for each of some values of a number of the scene, by its name, in a column that
+/// follows the model.
+///
+/// # Errors
+/// An unknown name, values that no scene has, and the errors of `fill`, each with the value.
+pub fn at_values(
+    file: &SceneFile,
+    (name, values): (&str, &[f64]),
+    sheet: &mut Sheet,
+    fill: impl Fn(&SceneFile, &mut Sheet) -> Outcome + Sync,
+) -> Outcome {
+    let input = file.inputs([name])?[0];
+    for &value in values {
+        let mut part = Sheet::default();
+        let varied = file.with_inputs([(input, value)]).map_err(AnswerError::from);
+        let filled = varied.and_then(|varied| with_ranges(&varied, &mut part, &fill));
+        filled.map_err(|error| error.of_model(&format!("{name} = {}", shortest_digits(value))))?;
+        sheet.append(part, &column_of(name), &value.into());
+    }
+    Ok(())
+}
+
+impl Sheet {
+    /// Adds the rows of another sheet, told apart by a cell in a column that follows the first one;
+    /// columns that only one of them has are blank in the other. Of findings, one of each code and
+    /// field stays.
+    pub fn append(&mut self, mut part: Self, column: &str, cell: &Cell) {
+        part.heads.insert(1, column.into());
+        part.rows.iter_mut().for_each(|row| row.insert(1, cell.clone()));
+        for (k, head) in part.heads.iter().enumerate() {
+            if self.column(head).is_none() {
+                // Behind the column that it follows there.
+                let before = part.heads[..k].last().and_then(|head| self.column(head));
+                let place = before.map_or(0, |before| before + 1);
+                self.heads.insert(place, head.clone());
+                self.rows.iter_mut().for_each(|row| row.insert(place, Cell::BLANK));
+            }
+        }
+        let places: Vec<_> = self.heads.iter().map(|head| part.column(head)).collect();
+        let cell = |row: &[Cell], place: &Option<usize>| {
+            place.map_or(Cell::BLANK, |place| row[place].clone())
+        };
+        let rows = part.rows.iter().map(|row| places.iter().map(|one| cell(row, one)).collect());
+        self.rows.extend(rows);
+        self.results.extend(part.results);
+        for found in part.findings {
+            let is_known = |one: &Finding| one.code == found.code && one.field == found.field;
+            if !self.findings.iter().any(is_known) {
+                self.findings.push(found);
+            }
+        }
+    }
+
+    /// Adds beside each stiffness, and each end of its interval, the same over a nominal area
+    /// \[m²\]: `tangent_per_area_N_per_m3`.
+    pub fn add_per_area(&mut self, nominal_area: f64) {
+        for column in (0..self.heads.len()).rev() {
+            let Some(name) = self.heads[column].strip_suffix("_N_per_m") else { continue };
+            let of_end = ENDS.iter().find_map(|end| Some((name.strip_suffix(*end)?, *end)));
+            let head = match of_end {
+                Some((name, end)) => column_of_end(&format!("{name}per_area_N_per_m3"), end),
+                None => format!("{name}_per_area_N_per_m3"),
+            };
+            self.heads.insert(column + 1, head);
+            for row in &mut self.rows {
+                let value = row[column].number().map(|value| value / nominal_area);
+                row.insert(column + 1, value.into());
+            }
+        }
+    }
+}
