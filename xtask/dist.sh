@@ -55,7 +55,7 @@ assert f"{curve.force[1]:.2f} {curve.area[1]:.3e}" == "216.94 1.427e-07", (curve
 PYTHON
 )
 
-# The program without shared libraries, with manual, completions and licences, to be unpacked over
+# The program without shared libraries, with licences, to be unpacked over
 # ~/.local or /usr/local; a quick build is that of the tests.
 if [ $quick ]; then
     cargo build --bin asperity --workspace
@@ -73,7 +73,6 @@ cp crates/apps/cli/README.md crates/asperity/CHANGELOG.md LICENSE-APACHE LICENSE
 program() {
     env -i "$dist/$name/bin/asperity" "$@"
 }
-(cd "$dist/$name" && program manual share)
 (cd "$trial" && program init scene.toml)
 answer=$(cd "$trial" && program --quiet curve scene.toml --model ke --load 100)
 [ "$(wc -l <<<"$answer")" -gt 1 ] || { echo "error: the program gave no answer: $answer" >&2; exit 1; }

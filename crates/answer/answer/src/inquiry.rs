@@ -68,7 +68,6 @@ impl<'s> Inquiry<'s> {
     /// the findings until then.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<(), AnswerError> {
         sheet.heads = self.heads();
-        sheet.extend(self.file.conduction_findings(&self.request.quantities));
         let (mut found, mut wanted) = (Found::default(), vec![]);
         let reference = match &self.beside {
             Beside::Deviations(reference) => Some(reference),
@@ -181,15 +180,7 @@ impl<'s> Inquiry<'s> {
     /// Compiles a model for what is asked.
     fn prepare(&self, model: &Model, watch: &dyn Watch) -> Result<Asked, AnswerError> {
         watch.progress(model.id());
-        let asked = Asked::new(self.file, model, &self.request, self.all);
-        let placed = |error| match error {
-            AnswerError::Contact(error) => match self.file.at_its_key(error) {
-                Ok(placed) => AnswerError::Scene(placed),
-                Err(error) => AnswerError::Contact(error),
-            },
-            error => error,
-        };
-        asked.map_err(placed)
+        Asked::new(self.file, model, &self.request, self.all)
     }
 
     /// Passes on the lines of one model, each with the cells of its place.

@@ -176,9 +176,8 @@ impl Ends<'_> {
     /// Says which unknown makes the ranges wide, and the shares of all; passes on warnings that the
     /// middle does not have.
     fn add_findings(&self, sheet: &mut Sheet) {
-        let found = self.sheets.iter().enumerate();
-        let found = found.flat_map(|(k, one)| one.findings.iter().map(move |found| (k, found)));
-        let new = self.points.worst(&sheet.findings, found);
+        let found = self.sheets.iter().flat_map(|one| &one.findings);
+        let new = Points::worst(&sheet.findings, found);
         sheet.findings.extend(new);
         let unknowns = &self.points.unknowns;
         let columns =

@@ -9,8 +9,6 @@ use crate::text_file::shorten;
 /// A csv whose first line names its columns. Empty lines and lines that begin with # are skipped.
 /// Where semicolons or tabs separate the cells of the header, numbers may have decimal commas.
 pub(crate) struct Cells<'t> {
-    /// The line of the header.
-    pub(crate) line: usize,
     /// The names of the columns.
     pub(crate) head: Vec<&'t str>,
     /// The line and the cells of each row, one for each column.
@@ -30,7 +28,7 @@ impl<'t> Cells<'t> {
         let cells = |line: &'t str| -> Vec<&str> {
             line.split(delimiter).map(|cell| cell.trim().trim_matches('"').trim()).collect()
         };
-        let mut table = Self { line, head: cells(top), rows: vec![], path, delimiter };
+        let mut table = Self { head: cells(top), rows: vec![], path, delimiter };
         let is_value = |name: &&str| table.number(name).is_some() || notation_hint(name).is_some();
         if top.is_empty() || table.head.iter().all(is_value) {
             let found = table.head.join(",");
@@ -40,24 +38,14 @@ impl<'t> Cells<'t> {
                 needed,
             ));
         }
-        if table.head.len() == 1 && top.trim().contains([' ', '\t']) {
-            let reason = "blanks separate the columns; separate them by commas, semicolons or tabs";
-            return Err(table.syntax(line, reason.into()));
-        }
         for (line, row) in lines {
             let (row, columns) = (cells(row), table.head.len());
-            let hint = match row.len() {
-                count if count == columns => {
-                    table.rows.push((line, row));
-                    continue;
-                }
-                count if count > columns && delimiter == ',' => {
-                    "; numbers with decimal commas are read where semicolons or tabs separate the columns"
-                }
-                _ => "",
-            };
+            if row.len() == columns {
+                table.rows.push((line, row));
+                continue;
+            }
             let reason = format!(
-                "{} cells under a header of {columns} columns: one cell for each column was required{hint}",
+                "{} cells under a header of {columns} columns: one cell for each column was required (decimal commas need semicolons or tabs)",
                 row.len()
             );
             return Err(table.syntax(line, reason));

@@ -11,6 +11,7 @@ use asperity_topography::Statistics;
 use crate::evidence::KURTOSIS;
 use crate::keys::{Field, INTERFACE, OF_PAIR, SEAL};
 use crate::measured::Measured;
+use crate::ranges::Points;
 use crate::scene_file::SceneFile;
 use crate::seal::Seal;
 use crate::unknown::Unknown;
@@ -64,7 +65,7 @@ impl SceneFile {
             }
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
-        let of_pair = self.missing_hardness().into_iter().chain(self.equally_hard());
+        let of_pair = self.missing_hardness();
         let of_seal = self.spec.seal.iter().flat_map(|seal| {
             // A pressure of 0 is a vacuum.
             let value = |field: &Field<Seal>| (field.get)(seal).filter(|value| *value > 0.0);
@@ -167,9 +168,8 @@ impl SceneFile {
         check.numbers.splice(0..0, points.unknowns.iter().map(Unknown::derived));
         let asperities = place.is_none_or(|(model, _)| model.validity().asperities);
         check.extend(points.middle.findings().for_asperities(asperities));
-        let found = all.iter().enumerate();
-        let found = found.flat_map(|(k, one)| one.findings.iter().map(move |found| (k, found)));
-        check.extend(points.worst(&check.findings, found));
+        let found = all.iter().flat_map(|one| one.findings.iter());
+        check.extend(Points::worst(&check.findings, found));
         check.findings = self.accepted(check.findings);
         Ok(check)
     }
@@ -246,20 +246,6 @@ impl SceneFile {
         (modulus > 1e9).then(|| finding.within(&format!("body[{k}]")))
     }
 
-    /// A warning of which of two equally hard bodies is taken to yield, where it matters.
-    fn equally_hard(&self) -> Option<Finding> {
-        let [first, second] = self.bodies() else { return None };
-        let alike = first.hardness == second.hardness
-            && first.yield_strength == second.yield_strength
-            && first.hardness.or(first.yield_strength).is_some();
-        let [one, other] = [first, second].map(|body| body.poissons_ratio);
-        let found = Finding::warning(Code::EquallyHard, "poissons_ratio", one.min(other));
-        let advice =
-            format!("the body with the smaller poissons_ratio ({}) yields first", one.min(other));
-        (alike && (one - other).abs() > 0.02)
-            .then(|| found.fact("the bodies are equally hard").advice(advice))
-    }
-
     fn scan_findings(&self, Measured { statistics, pixel_size, .. }: &Measured) -> Vec<Finding> {
         let mut found = vec![];
         // Outliers would be part of measured heights.
@@ -271,7 +257,6 @@ impl SceneFile {
             }));
         }
         found.extend(statistics.unusual_slope(*pixel_size));
-        found.extend(self.small_scan());
         found
     }
 

@@ -15,7 +15,7 @@ use toml::{Spanned, Table, Value};
 use crate::error::{Place, SceneError};
 use crate::keys::{COUNTERFACE, Field, Key, Subject, joined, keys_of, section_and_name};
 use crate::origin::Provenance;
-use crate::quantity::{converted, in_si};
+use crate::quantity::in_si;
 use crate::text_file::shorten;
 use crate::unknown::Unknown;
 
@@ -104,9 +104,6 @@ impl<'a> Document<'a> {
                         SceneError::Notation { at, found, hint }
                     })?;
                     self.origin.stated.push(path.into());
-                    let same = converted(text, key, units.0);
-                    let is = |same| (path.into(), format!("{} is {same}", shorten(text)));
-                    self.origin.converted.extend(same.map(is));
                     Value::Float(number)
                 }
                 None => Value::String(text.clone().into_owned()),
@@ -123,51 +120,39 @@ impl<'a> Document<'a> {
                     self.read_value(item.get_ref(), &item_path)
                 };
                 let items = items.iter().zip(1..).map(item).collect::<Result<Vec<_>, _>>()?;
-                self.check_units_of_ends(path, &items)?;
-                self.range(path, &items).unwrap_or(Value::Array(items))
+                self.range(path, &items)?.unwrap_or(Value::Array(items))
             }
             DeValue::Table(inner) => Value::Table(self.read_table(inner, path)?),
         })
     }
 
-    /// Refuses a range of which one end has a unit and the other, which is not 0, has none.
-    fn check_units_of_ends(&self, path: &str, items: &[Value]) -> Result<(), SceneError> {
-        let (section, name) = section_and_name(path);
-        let is_listed = |key: &Key| matches!(key.subject, Subject::Scan | Subject::Options);
-        let [Value::Float(_) | Value::Integer(_), Value::Float(_) | Value::Integer(_)] = items
-        else {
-            return Ok(());
-        };
-        if Key::find(section, name).is_none_or(|key| key.units().is_none() || is_listed(key)) {
-            return Ok(());
-        }
-        let ends = [1, 2].map(|k| format!("{path}[{k}]"));
-        let stated = ends.each_ref().map(|end| self.origin.is_stated(end));
-        let bare = usize::from(stated[0]);
-        let found = items[bare].to_string();
-        if stated[0] == stated[1] || found.parse() == Ok(0.0) {
-            return Ok(());
-        }
-        let hint = "has no unit, and the other end has one: give both ends a unit".into();
-        Err(SceneError::Notation { at: self.place(&ends[bare]), found, hint })
-    }
-
     /// The middle of the range of a number that is written as two values; keeps the ends.
-    fn range(&mut self, path: &str, items: &[Value]) -> Option<Value> {
+    ///
+    /// # Errors
+    /// [`SceneError::Notation`] where one end has a unit and the other, which is not 0, has none.
+    fn range(&mut self, path: &str, items: &[Value]) -> Result<Option<Value>, SceneError> {
         let number = |item: &Value| item.as_float().or_else(|| item.clone().try_into().ok());
-        let [one, other] = items else { return None };
-        let [one, other] = [number(one)?, number(other)?];
+        let numbers = items.iter().map(number).collect::<Option<Vec<f64>>>();
+        let Some([one, other]) = numbers.as_deref() else { return Ok(None) };
         if !may_have_range(path) {
-            return None;
+            return Ok(None);
+        }
+        let stated = [1, 2].map(|k| self.origin.is_stated(&format!("{path}[{k}]")));
+        let bare = usize::from(stated[0]);
+        if stated[0] != stated[1] && [*one, *other][bare] != 0.0 {
+            let (at, found) =
+                (self.place(&format!("{path}[{}]", bare + 1)), items[bare].to_string());
+            let hint = "has no unit, and the other end has one: give both ends a unit".into();
+            return Err(SceneError::Notation { at, found, hint });
         }
         // One that is no number stays, to be refused.
-        let ends = if one <= other { [one, other] } else { [other, one] };
-        if self.origin.is_stated(&format!("{path}[1]")) {
+        let ends = if one <= other { [*one, *other] } else { [*other, *one] };
+        if stated[0] {
             self.origin.stated.push(path.into());
         }
         let middle = Unknown::written(String::new(), ends).middle();
         self.ranges.extend((ends[0] < ends[1]).then(|| (path.to_string(), ends)));
-        Some(Value::Float(middle))
+        Ok(Some(Value::Float(middle)))
     }
 
     /// The value of a key.
@@ -190,16 +175,8 @@ impl<'a> Document<'a> {
 
     /// The number of a key that a scene must have.
     pub(crate) fn needed_number(&self, path: &str) -> Result<f64, SceneError> {
-        self.number(path)?.ok_or_else(|| {
-            let (section, name) = section_and_name(path);
-            let example = Key::find(section, name).map_or("", |key| key.form[1]);
-            let example = match example.parse::<f64>() {
-                _ if example.is_empty() => String::new(),
-                Ok(_) => format!(", for example {example}"),
-                Err(_) => format!(", for example {example:?}"),
-            };
-            self.missing(path, format!("a number ({}){example}", Key::meaning(path)))
-        })
+        self.number(path)?
+            .ok_or_else(|| self.missing(path, format!("a number ({})", Key::meaning(path))))
     }
 
     /// Sets the numbers of a section that are given.
@@ -298,7 +275,7 @@ impl<'a> Document<'a> {
         found.map(|bytes| Some(bytes.as_slice())).ok_or_else(|| {
             let at = self.place(field);
             let at = Box::new(Place { field: format!("{} = {path:?}", at.field), ..*at });
-            SceneError::Unreadable { at, reason: "the file has not been chosen".into() }
+            SceneError::Refused { at, reason: "the file has not been chosen".into() }
         })
     }
 
@@ -333,19 +310,12 @@ mod tests {
     #[test]
     fn files_are_read_by_the_names_under_which_they_were_handed_over() {
         let text = "nominal_area = 1e-6\n[interface]\nequivalent_modulus = 1e11\n\
-                    poissons_ratio = 0.3\nhardness = 1e9\n[surface]\nasperity_radius = 1e-5\n\
-                    asperity_density = 1e10\nheights = { file = \"a/pdf.csv\" }\n";
-        let mut files = HandedFiles::new();
-        let missing = crate::parse_handed(text, &files).unwrap_err();
-        assert!(matches!(missing, SceneError::Unreadable { .. }), "{missing}");
-        assert_eq!(missing.place().unwrap().line, Some(9));
-        let table = b"height_m,density_per_m\n-1e-6,0\n0,1e6\n1e-6,0\n";
-        files.insert("a/pdf.csv".into(), table.to_vec());
-        let file = crate::parse_handed(text, &files).unwrap();
-        assert_eq!(file.table().unwrap().points().len(), 3);
-        let scan = text.replace("heights =", "file = \"b.x3p\"\n#").replace("asperity_", "# ");
+                    poissons_ratio = 0.3\nhardness = 1e9\n[surface]\nfile = \"b.x3p\"\n";
+        let missing = crate::parse_handed(text, &HandedFiles::new()).unwrap_err();
+        assert!(matches!(missing, SceneError::Refused { .. }), "{missing}");
+        assert_eq!(missing.place().unwrap().line, Some(7));
         let broken = HandedFiles::from([("b.x3p".into(), vec![])]);
-        let refused = crate::parse_handed(&scan, &broken).unwrap_err().to_string();
-        assert!(refused.starts_with("line 9: surface.file: b.x3p: "), "{refused}");
+        let refused = crate::parse_handed(text, &broken).unwrap_err().to_string();
+        assert!(refused.starts_with("line 7: surface.file: b.x3p: "), "{refused}");
     }
 }

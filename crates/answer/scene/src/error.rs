@@ -42,28 +42,13 @@ impl fmt::Display for Place {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SceneError {
-    /// A file could not be read.
-    #[error("{at} {}", self.reason())]
-    Unreadable {
-        /// The file, and the field that names it.
-        at: Box<Place>,
-        /// The reason from the system.
-        reason: String,
-    },
-    /// A file could not be written, or no file can hold this value.
-    #[error("{at} {}", self.reason())]
-    Unwritable {
-        /// The file, or the field.
-        at: Box<Place>,
-        /// The reason, from the system for files.
-        reason: String,
-    },
-    /// A text that is not TOML or CSV, a surface without asperities, a scene without a model.
+    /// A file that cannot be read or written, a text that is not TOML or CSV, a surface without
+    /// asperities, a scene without a model.
     #[error("{at}: {reason}")]
     Refused {
         /// The place, or the field that names the file.
         at: Box<Place>,
-        /// The reason from the parser or from the library.
+        /// The reason from the system, the parser or the library.
         reason: String,
     },
     /// A key that its section does not have.
@@ -138,9 +123,7 @@ impl SceneError {
     #[must_use]
     pub fn place(&self) -> Option<&Place> {
         match self {
-            Self::Unreadable { at, .. }
-            | Self::Unwritable { at, .. }
-            | Self::Refused { at, .. } => Some(at),
+            Self::Refused { at, .. } => Some(at),
             Self::UnknownKey { at, .. } | Self::Value { at, .. } | Self::Notation { at, .. } => {
                 Some(at)
             }
@@ -153,8 +136,6 @@ impl SceneError {
     #[must_use]
     pub fn reason(&self) -> String {
         match self {
-            Self::Unreadable { reason, .. } => format!("cannot be read: {reason}"),
-            Self::Unwritable { reason, .. } => format!("cannot be written: {reason}"),
             Self::UnknownKey { near, allowed, .. } => {
                 format!("not known{}: {allowed}", nearest_hint(near.as_ref()))
             }

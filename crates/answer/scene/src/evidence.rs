@@ -97,7 +97,7 @@ mod tests {
     }
 
     fn measured(statistics: Statistics) -> Arc<Measured> {
-        Measured { statistics, pixel_size: 1e-6, long_wavelength: None }.into()
+        Measured { statistics, pixel_size: 1e-6 }.into()
     }
 
     fn of_scan(scan: &Topography) -> SceneFile {

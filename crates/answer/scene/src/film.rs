@@ -40,12 +40,12 @@ impl SceneFile {
             let at = Place::field(format!("surface.{PEKLENIK}")).into();
             SceneError::Refused { at, reason }
         })?;
-        // Two scans of `files` have one number, as they have one section; like surfaces as well.
-        let of_scans = if self.measured.is_some() || alike { moving } else { 1.0 };
+        // Two scans are of like surfaces, and so are the surfaces of a model of pairs.
+        let of_like = if self.measured.is_some() || alike { moving } else { 1.0 };
         let friction_cut_off =
             self.spec.options.friction_cut_off.unwrap_or(PatirCheng::default().friction_cut_off);
         Ok(PatirCheng {
-            peklenik_numbers: [moving, resting.unwrap_or(of_scans)],
+            peklenik_numbers: [moving, resting.unwrap_or(of_like)],
             share_at_rest,
             friction_cut_off,
         })
@@ -154,7 +154,8 @@ mod tests {
         };
         write("along.txt", 0.0);
         write("oblique.txt", 35.0);
-        let two = "files = [\"along.txt\", \"along.txt\"]\nunit = \"m\"\npixel_size = 1e-6\n";
+        let two = "file = \"along.txt\"\nunit = \"m\"\npixel_size = 1e-6\n\
+            counterface = { file = \"along.txt\", unit = \"m\", pixel_size = 1e-6 }\n";
         assert!(flow(two, folder.path()).unwrap_err().contains("peklenik_number"));
         let both = flow(&format!("{two}peklenik_number = 0.4"), folder.path()).unwrap();
         assert_eq!(both.peklenik_numbers.map(f64::to_bits), [0.4; 2].map(f64::to_bits));

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_2_PI;
 
-use asperity::{Code, ContactError, Finding, nearest_name, positive, short};
+use asperity::{ContactError, nearest_name, positive, short};
 
 use crate::document::Document;
 use crate::error::SceneError;
@@ -14,23 +14,9 @@ use crate::text_file::shorten;
 use crate::unknown::Unknown;
 
 /// The keys of a surface by its finish.
-pub(crate) const FINISH: &[&str] = &[
-    "ra",
-    "rq",
-    "rz",
-    "finish",
-    "rsm",
-    "rdq",
-    "feed",
-    "nose_radius",
-    "bandwidth",
-    "lambda_c",
-    "lambda_s",
-    "mean_slope",
-];
+pub(crate) const FINISH: &[&str] =
+    &["ra", "rq", "rz", "finish", "rsm", "rdq", "bandwidth", "lambda_c", "lambda_s", "mean_slope"];
 
-/// Ra of the cusps of a turned surface is feed²/(18 √3 nose_radius), of parabolas. \[derived\]
-const CUSP: f64 = 31.18;
 /// A longer cut-off \[m\] is a length in mm: ten times the longest of ISO 4288, 8 mm.
 const LONGEST: f64 = 0.08;
 /// The key of the mean slope.
@@ -98,10 +84,10 @@ impl Drawing {
         if given(&"rdq") && given(&"mean_slope") {
             return Some(("rdq", "mean_slope", "one of the two"));
         }
-        let of_tool = ["feed", "nose_radius"].into_iter().find(given);
-        let needed = "finish = \"turned\", whose cusps have a feed and a nose_radius,";
-        let key = of_tool.filter(|_| self.finish != Some("turned"))?;
-        Some((key, "finish", needed))
+        // With a width of its elements it gives the slope.
+        let is_height = given(&"rz") && !given(&"rsm");
+        let other = ["ra", "rq"].into_iter().find(given).filter(|_| is_height)?;
+        Some(("rz", other, "one of the two, or rsm beside rz"))
     }
 
     /// The three numbers of the surface: Rq, the mean slope of the isotropic surface with the same
@@ -125,6 +111,8 @@ impl Drawing {
         let [short_cut, cut] = self.cut_offs(&self.height()?)?;
         let mut known = self.clone();
         known.numbers.extend([("rq", rq), ("lambda_s", short_cut), ("lambda_c", cut)]);
+        // It gave the height alone.
+        known.numbers.retain(|key, _| *key != "rz" || self.get("rsm").is_some());
         Ok(known)
     }
 
@@ -208,7 +196,7 @@ impl Drawing {
             return Ok(Unknown::given(SLOPE, slope, key));
         }
         let (rz, rsm) = (self.number("rz")?, self.number("rsm")?);
-        let mut slope = match (rz, rsm) {
+        let slope = match (rz, rsm) {
             (Some(rz), Some(rsm)) => {
                 let range = Range::at_ratio("slope_over_rz_rsm", "rdq", cut_offs)?;
                 let ends = [range.lower, range.upper].map(|ratio| ratio * 2.0 * rz / rsm);
@@ -232,22 +220,7 @@ impl Drawing {
                 range.unknown(SLOPE, ends, &text, "rdq, rz with rsm, or a scan")
             }
         };
-        if let Some((feed, radius)) = self.tool()? {
-            let cusps = feed / (4.0 * radius);
-            slope.ends = slope.ends.map(|end| end.max(cusps));
-            slope.source += &format!("; at least feed/(4 nose_radius) = {}", short(cusps));
-        }
         Ok(slope)
-    }
-
-    /// Feed and nose radius of a turned surface.
-    fn tool(&self) -> Found<Option<(f64, f64)>> {
-        let (feed, radius) = (self.number("feed")?, self.number("nose_radius")?);
-        match (feed, radius) {
-            (Some(_), None) => missing("nose_radius", "feed and nose_radius go together"),
-            (None, Some(_)) => missing("feed", "feed and nose_radius go together"),
-            both => Ok(both.0.zip(both.1)),
-        }
     }
 
     /// The slope of the isotropic surface with the same rms gradient as one with this slope across
@@ -278,64 +251,6 @@ impl Drawing {
         let range = Range::at_ratio("bandwidth", "bandwidth", cut_offs)?;
         let ends = [range.lower, range.upper];
         Ok(range.unknown("bandwidth", ends, &text, "bandwidth or a scan"))
-    }
-
-    /// A note on the heights of a finish that are not Gaussian.
-    pub(crate) fn skewed(&self) -> Option<Finding> {
-        let finish = self.finish?;
-        let Range { lower, upper, .. } = Range::of_finish("skewness", self.finish).ok()?;
-        let taken = [lower.max(-1.0), upper.min(2.0)];
-        let found = Finding::note(Code::NotGaussian, "finish", 0.5 * (lower + upper));
-        let fact = format!(
-            "{finish} surfaces have a skewness of {lower} to {upper}, and Gaussian heights have none"
-        );
-        let advice = format!(
-            "heights = {{ skewness = [{}, {}] }} has a part of this range in models of asperities",
-            taken[0], taken[1]
-        );
-        Some(found.fact(fact).advice(advice))
-    }
-
-    /// The warnings of numbers that contradict each other.
-    ///
-    /// # Errors
-    /// The errors of [`unknowns`](Self::unknowns).
-    pub(crate) fn warnings(&self, place: impl Fn(&str) -> String) -> Found<Vec<Finding>> {
-        let height = self.height()?;
-        let mut found = vec![];
-        let mut warn = |key: &'static str, value: f64, fact: String, advice: &str| {
-            let warning = Finding::warning(Code::RoughnessNumbers, key, value);
-            found.push(warning.fact(fact).advice(advice.to_string()).from_origin(place(key)));
-        };
-        // Where Rq is not given, some value of its range is to go with Rz.
-        let of_ra = self.number("ra")?.map(|ra| [ra; 2]);
-        for (key, other, of, what, known) in [
-            ("rq", "ra", of_ra, "rq_over_ra", " (a sine has 1.11)"),
-            ("rz", "the Rq of the surface", Some(height.ends), "rz_over_rq", ""),
-        ] {
-            let Some((value, [least, most])) = self.number(key)?.zip(of) else { continue };
-            let Range { lower, upper, .. } = self.range(what)?;
-            if value > upper * most || value < lower * least {
-                let ratio = short(value / (least * most).sqrt());
-                let fact = format!(
-                    "{key} is {ratio} times {other}, and such surfaces have {lower} to {upper}{known}"
-                );
-                warn(key, value, fact, "check both, or remove what was not measured");
-            }
-        }
-        let ra = self.ra(&height)?;
-        if let Some((feed, radius)) = self.tool()? {
-            let cusps = feed * feed / (CUSP * radius);
-            if ra < 0.9 * cusps {
-                let fact = format!(
-                    "the cusps of feed and nose_radius have an Ra of {} um, more than the {} um of the surface",
-                    short(1e6 * cusps),
-                    short(1e6 * ra)
-                );
-                warn("feed", feed, fact, "check feed, nose_radius and the roughness");
-            }
-        }
-        Ok(found)
     }
 }
 

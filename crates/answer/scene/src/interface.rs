@@ -1,12 +1,12 @@
 //! `[interface]`, or the bodies from which it follows.
 
-use asperity::{Body, Interface};
+use asperity::{Body, Interface, nearest_name};
 use toml::Value;
 
 use crate::document::Document;
 use crate::error::SceneError;
 use crate::keys::{BODY, INTERFACE, MECHANICAL};
-use crate::materials::{Material, named, suggestion};
+use crate::materials::{Material, materials, named};
 use crate::spec::Bodies;
 use crate::text_file::shorten;
 
@@ -60,12 +60,12 @@ fn body(document: &Document<'_>, section: &str) -> Result<Made, SceneError> {
                 return Err(document.conflict(&path("material"), &path(name), needed));
             }
             named(&id).map(|material| (material.body, Some(material))).ok_or_else(|| {
-                let (near, needed) = suggestion(&id);
+                let ids = materials().iter().map(|material| &*material.id);
                 SceneError::Value {
                     at: document.place(&path("material")),
                     found: format!("{:?}", shorten(&id)),
-                    near: near.map(Into::into),
-                    needed,
+                    near: nearest_name(&id, ids).map(Into::into),
+                    needed: "a material of the list (`asperity list materials`)".into(),
                 }
             })?
         }

@@ -2,7 +2,7 @@
 //! suggestions, the comments of the template, the keys of fits and sweeps and the page's form
 //! follow from it.
 
-use asperity::{Body, Interface, Surface, UNITS, Units};
+use asperity::{Body, Interface, Surface, Units, units};
 
 use crate::curvature::Curvature;
 use crate::gap::Gas;
@@ -23,13 +23,9 @@ pub struct Key {
     /// Its comment in the template: the unit, then what the key means, what needs it, or its
     /// values.
     pub meaning: &'static str,
-    /// Other names, in lower case, with what differs; names of one group are separated by blanks.
-    pub also: &'static [(&'static str, &'static str)],
     /// Its name in a form with the symbol, and a value as it may be typed or the values to choose
     /// from, separated by `|`; empty for keys that a form does not have.
     pub form: [&'static str; 2],
-    /// Its letter or word in a line of numbers; empty for most keys.
-    pub symbol: &'static str,
 }
 
 /// What a key of a scene describes.
@@ -70,23 +66,20 @@ pub struct Field<T: 'static> {
 
 macro_rules! key {
     ($section:literal $subject:ident $name:ident $unit:literal $meaning:literal
-        $(also $($other:literal $differs:literal),+)? $(form $label:literal $typed:literal)?
-        $(symbol $symbol:literal)?) => {
+        $(form $label:literal $typed:literal)?) => {
         Key {
             name: stringify!($name),
             section: $section,
             subject: Subject::$subject,
             unit: $unit,
             meaning: concat!($unit, $meaning),
-            also: &[$($(($other, $differs)),+)?],
             form: [concat!($($label)?), concat!($($typed)?)],
-            symbol: concat!($($symbol)?),
         }
     };
 }
 
-/// Sections with their keys, each with its unit, what follows the unit in the template, other names
-/// with what differs, and its name and a value in a form. Those of `numbers` are fields of a struct
+/// Sections with their keys, each with its unit, what follows the unit in the template, and its
+/// name and a value in a form. Those of `numbers` are fields of a struct
 /// of the library; sweeps and Python list them in this order.
 macro_rules! keys {
     ($($section:literal $subject:ident
@@ -110,12 +103,9 @@ macro_rules! keys {
 
 keys! {
     "" Scene {
-        nominal_area("m^2" ", the apparent area of contact"
-            also "a_n area" "" form "Nominal area" "1 cm2")
+        nominal_area("m^2" ", the apparent area of contact" form "Nominal area" "1 cm2")
         rigid_counterface("" "with one [[body]] only: the counterface is rigid")
-        work_of_adhesion("J/m^2" ", of the two bodies together; only dmt and jkr need it"
-            also "adhesion adhesion_energy surface_energy energy_of_adhesion gamma"
-            "it is gamma1 + gamma2 - gamma12 of the pair, in J/m^2; ")
+        work_of_adhesion("J/m^2" ", of the two bodies together; only dmt and jkr need it")
         accept("" "codes of warnings and notes to silence, as messages show them")
         body("" "two of them, here of steel; one with rigid_counterface = true")
         interface("" "of the two bodies together")
@@ -126,22 +116,17 @@ keys! {
         options("" "")
     }
     "body" Body numbers BODY in Body {
-        youngs_modulus("Pa" "" also "e young_modulus elastic_modulus" ""
-            form "Young's modulus E" "210 GPa" symbol "E")
-        poissons_ratio("" "above -1, at most 0.5" also "nu poisson_ratio poisson" ""
-            form "Poisson's ratio ν" "0.3" symbol "ν")
+        youngs_modulus("Pa" "" form "Young's modulus E" "210 GPa")
+        poissons_ratio("" "above -1, at most 0.5" form "Poisson's ratio ν" "0.3")
         hardness("Pa" "; within 3.3 to 7.8 times the yield strength if missing; elastic models need neither"
-            also "h vickers brinell" "" form "Hardness H" "2 GPa" symbol "H")
+            form "Hardness H" "2 GPa")
         yield_strength("Pa" "; instead of the hardness, or beside it"
-            also "yield_stress yield sy rp02" "" form "Yield strength" "700 MPa" symbol "yield")
+            form "Yield strength" "700 MPa")
         thermal_conductivity("W/(m K)" ", of both bodies; only thermal-conductance needs it"
-            also "conductivity heat_conductivity" "" form "Thermal conductivity" "50 W/(m K)" symbol "k")
+            form "Thermal conductivity" "50 W/(m K)")
         electrical_resistivity("ohm m" ", of both bodies; only electrical-conductance needs it"
-            also "resistivity electric_resistivity" "",
-            "electrical_conductivity electric_conductivity" "it is 1/conductivity, in ohm m; "
-            form "Electrical resistivity" "1.7e-7 ohm m" symbol "ρ")
-        tangent_modulus("Pa" ", of both bodies, which must be alike; only ghaednia needs it"
-            symbol "E_t")
+            form "Electrical resistivity" "1.7e-7 ohm m")
+        tangent_modulus("Pa" ", of both bodies, which must be alike; only ghaednia needs it")
     } {
         material("" "E, nu, hardness and what is known, instead of them: `asperity list materials`")
     }
@@ -160,17 +145,14 @@ keys! {
         tangent_modulus("Pa" ", of two bodies with the same E and nu; only ghaednia needs it")
     } {}
     "surface" Roughness numbers SURFACE in Surface {
-        asperity_radius("m" "" also "r radius tip_radius" "" form "Asperity radius R" "0.2 mm")
-        asperity_density("1/m^2" "" also "eta density" "" form "Asperity density η" "200 1/mm2")
-        asperity_height_std("m" ", of the asperities, not of the surface ..." also "sigma sigma_z"
-            "it is the std of the asperity heights, and that of the surface is surface_height_std; "
+        asperity_radius("m" "" form "Asperity radius R" "0.2 mm")
+        asperity_density("1/m^2" "" form "Asperity density η" "200 1/mm2")
+        asperity_height_std("m" ", of the asperities, not of the surface ..."
             form "Height std σ_z" "1 um")
     } {
-        surface_height_std("m" ", ... or of the surface: Sq of an isotropic Gaussian surface"
-            also "sa rms roughness" "it is Sq, which for Gaussian heights is 1.25 Sa; ")
+        surface_height_std("m" ", ... or of the surface: Sq of an isotropic Gaussian surface")
         mean_slope("" "without a unit: mean |slope| of profiles; replaces asperity_radius, with surface_height_std")
-        plasticity_index("" "2 E/(pi S H) sqrt(height_std/radius)" also "psi" ""
-            form "Plasticity index ψ" "2")
+        plasticity_index("" "2 E/(pi S H) sqrt(height_std/radius)" form "Plasticity index ψ" "2")
         roughness_parameter("" "density times radius times height_std" form "η R σ_z" "0.04")
         m0("m^2" "" form "m0, mean of z²" "1e-12 m^2")
         m2("" "without a unit" form "m2, mean of z′²" "1e-4")
@@ -178,27 +160,21 @@ keys! {
         sq("m" ", standard deviation of the surface heights" form "Sq" "1.1 um")
         spd("1/m^2" ", density of peaks" form "Spd" "200 1/mm2")
         spc("1/m" ", mean curvature of peaks" form "Spc" "5 1/mm")
-        sdq("" "without a unit: rms gradient; instead of spc"
-            also "rms_slope rms_gradient" "it is the rms gradient of the surface; ")
         ra("m" ", as on a drawing, with a finish: answers are ranges" form "Roughness Ra" "0.8 um")
         rq("m" ", instead of ra" form "or Rq" "1 um")
-        rz("m" ", instead of ra, or with rsm; beside ra alone, a check of it" form "or Rz" "5 um")
+        rz("m" ", instead of ra, or with rsm" form "or Rz" "5 um")
         finish("" "or blasted, turned, milled, lapped, polished, honed, unknown"
             form "Finish" "blasted|ground|turned|milled|lapped|polished|honed|unknown")
         rsm("m" ", mean width of profile elements: with rz instead of a finish"
             form "RSm, with Rz" "120 um")
         rdq("" "without a unit: rms slope of a profile across the lay; replaces the range of slopes"
             form "Rdq, if measured" "0.1")
-        feed("m" ", per turn, of a turned surface" also "feed_rate" "")
-        nose_radius("m" ", of the tool, with feed")
-        bandwidth("" "m0 m4/m2^2, if known; replaces its range" also "alpha" ""
-            form "Bandwidth α, if known" "10")
-        lambda_c("m" ", cut-off of the profile; that of ISO 4288 if missing" also "cutoff cut_off" "")
+        bandwidth("" "m0 m4/m2^2, if known; replaces its range" form "Bandwidth α, if known" "10")
+        lambda_c("m" ", cut-off of the profile; that of ISO 4288 if missing")
         lambda_s("m" ", short cut-off of the profile; that of ISO 3274 if missing")
     }
     "surface" Scan {
         file("" "text, NumPy .npy, X3P, SUR, Gwyddion .gwy or SDF" form "File" "scan.x3p")
-        files("" "the two surfaces in contact")
         unit("" "of the heights (and of pixel_size), if the file has none"
             form "Unit of the heights" "um")
         pixel_size("" "or [1.5, 2.0], in that unit or as \"10 nm\", if the file has none"
@@ -324,18 +300,8 @@ impl Key {
     }
 
     /// The units of its number.
-    pub(crate) fn units(&self) -> Option<Units> {
-        UNITS.into_iter().find(|(si, ..)| *si == self.unit)
-    }
-
-    /// The key for another name, and what differs.
-    pub(crate) fn synonym(name: &str) -> Option<(&'static str, &'static str)> {
-        let name = name.to_lowercase();
-        let other = |key: &'static Self| {
-            let is_one = |(names, _): &&(&str, &str)| names.split(' ').any(|one| one == name);
-            Some((key.name, key.also.iter().find(is_one)?.1))
-        };
-        KEYS.iter().find_map(other)
+    pub(crate) fn units(&self) -> Option<&'static Units> {
+        units().iter().find(|units| units.si == self.unit)
     }
 
     /// The meaning of the key at the end of a path; empty for unknown keys.
@@ -358,7 +324,7 @@ impl Key {
 pub(crate) fn keys_of(section: &str) -> Vec<&'static str> {
     let of_pair = |key: &Key| match key.subject {
         Subject::Surface => !["peklenik_number", "mean_plane_offset"].contains(&key.name),
-        _ => ["files", "aligned"].contains(&key.name),
+        _ => key.name == "aligned",
     };
     let is_here = |key: &&Key| match section {
         COUNTERFACE => key.section == "surface" && !of_pair(key),
@@ -423,8 +389,6 @@ mod tests {
         for key in KEYS.iter().filter(|key| !key.unit.is_empty()) {
             assert!(key.units().is_some(), "{}", key.unit);
         }
-        assert_eq!(Key::synonym("Vickers"), Some(("hardness", "")));
-        assert_eq!(Key::synonym("hardness"), None);
         assert_eq!(section_and_name("body[2].hardness"), ("body", "hardness"));
         assert_eq!((section_and_name("body[2]"), section_and_name("")), (("", "body"), ("", "")));
         assert!(keys_of(COUNTERFACE).contains(&"pixel_size"));

@@ -4,7 +4,6 @@
 
 mod cells;
 mod check;
-mod conduction;
 mod curvature;
 mod document;
 mod error;
@@ -36,7 +35,6 @@ mod scan;
 mod scans;
 mod scene_file;
 mod seal;
-mod small_scan;
 mod spec;
 mod surface;
 mod template;
@@ -55,7 +53,6 @@ pub use finish::Drawing;
 pub use free::Free;
 pub use gap::Gas;
 pub use height_map::{height_map, open_seam};
-pub use heights::write_heights;
 pub use input::SceneInput;
 pub use keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE, Subject, key_of_input};
 pub use materials::{Material, materials, materials_like};
@@ -65,9 +62,7 @@ pub use measurements::read_measurements;
 pub use models::LeftOut;
 pub use options::ModelOptions;
 pub use origin::Provenance;
-pub use quantity::{
-    NO_LOAD, column_of, converted, mistaken_unit, notation_hint, quantity, quantity_of, unit_of,
-};
+pub use quantity::{NO_LOAD, column_of, notation_hint, quantity, quantity_of, unit_of};
 pub use ranges::Points;
 pub use read::{load, load_scan, parse, parse_handed};
 pub use roughness::{Roughness, Way};

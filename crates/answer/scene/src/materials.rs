@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use asperity::{Body, Code, Finding, nearest_name};
+use asperity::Body;
 use serde::Serialize;
 
-use crate::keys::{BODY, Field};
+use crate::keys::BODY;
 use crate::quantity::quantity_of;
 
 /// A material of the list: typical numbers at room temperature, for orientation.
@@ -26,9 +26,6 @@ pub struct Material {
     pub yield_strength: Option<f64>,
     /// Where the numbers were read.
     pub source: String,
-    /// Of a pure metal, how the ids of its alloys begin.
-    #[serde(skip)]
-    alloys: Vec<String>,
     /// Other names in scene files: European ones, `C45`.
     #[serde(skip)]
     also: Vec<String>,
@@ -76,29 +73,8 @@ fn material(row: &Record, sources: &Record) -> Option<Material> {
     let words = row.get("sources")?.split(' ').map(|word| sources.get(word).map(String::as_str));
     let source = words.collect::<Option<Vec<_>>>()?.join("; ");
     let [id, name] = ["id", "name"].map(|name| row.get(name).cloned().unwrap_or_default());
-    let words = |name: &str| Some(row.get(name)?.split_whitespace().map(String::from).collect());
-    let (alloys, also) = (words("alloys")?, words("also")?);
-    Some(Material { id, name, body, yield_strength, source, alloys, also })
-}
-
-impl Material {
-    /// That the alloys of a pure metal conduct less.
-    pub(crate) fn pure_metal(&self, key: &Field<Body>) -> Option<Finding> {
-        let (id, own) = (&self.id, (key.get)(&self.body)?);
-        let with_value =
-            materials().iter().filter_map(|other| Some((other, (key.get)(&other.body)?)));
-        let is_alloy = |other: &Self| self.alloys.iter().any(|begins| other.id.starts_with(begins));
-        // A conductivity falls and a resistivity rises.
-        let less = |other: f64| (own / other).max(other / own);
-        let alloys = with_value.filter(|(other, _)| is_alloy(other));
-        let (worst, least) = alloys.max_by(|one, other| less(one.1).total_cmp(&less(other.1)))?;
-        let (times, worst) = (less(least), &worst.id);
-        let fact = format!(
-            "{id} is the pure metal, whose alloys conduct up to {times:.1} times less ({worst})"
-        );
-        let found = Finding::note(Code::PureMetal, key.name, own).fact(fact);
-        Some(found.advice("use the alloy of the body"))
-    }
+    let also = row.get("also")?.split_whitespace().map(String::from).collect();
+    Some(Material { id, name, body, yield_strength, source, also })
 }
 
 /// The material of an id or another name.
@@ -109,37 +85,16 @@ pub(crate) fn named(id: &str) -> Option<&'static Material> {
     by_id.or_else(|| materials().iter().find(is_also))
 }
 
-/// The materials whose id or name contains a word, or else those of the nearest kind: `steel`,
-/// `aluminum`.
+/// The materials whose id or name contains a word: `steel`, `6082`.
 #[must_use]
 pub fn materials_like(word: &str) -> Vec<&'static Material> {
     let word = word.trim().to_lowercase();
-    let kind = |id: &'static str| id.split('-').next().unwrap_or(id);
-    let contains = |material: &Material| {
+    let contains = |material: &&Material| {
         let names = material.also.iter().chain([&material.id, &material.name]);
         let is_named = |part: &str| names.clone().any(|name| name.to_lowercase().contains(part));
         word.split([' ', '-', '/']).filter(|part| !part.is_empty()).all(is_named)
     };
-    let found: Vec<_> = materials().iter().filter(|material| contains(material)).collect();
-    if !found.is_empty() {
-        return found;
-    }
-    let first = word.split(['-', ' ']).next().unwrap_or_default();
-    let near = nearest_name(first, materials().iter().map(|material| kind(&material.id)));
-    let is_near = |material: &&'static Material| near == Some(kind(&material.id));
-    materials().iter().filter(is_near).collect()
-}
-
-/// The nearest id to an unknown one, and what was required: the materials of its kind where there
-/// are several.
-pub(crate) fn suggestion(unknown: &str) -> (Option<&'static str>, String) {
-    let like: Vec<&str> = materials_like(unknown).iter().map(|material| &*material.id).collect();
-    let near = nearest_name(unknown, materials().iter().map(|material| &*material.id));
-    match like[..] {
-        [] => (near, "a material of the list".into()),
-        [only] => (Some(only), "a material of the list".into()),
-        _ => (near, format!("one of {}", like.join(", "))),
-    }
+    materials().iter().filter(contains).collect()
 }
 
 #[cfg(test)]
@@ -149,23 +104,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_find_the_materials_of_their_kind() {
+    fn words_find_materials() {
         let ids = |word| -> Vec<&str> {
             materials_like(word).iter().map(|material| &*material.id).collect()
         };
         assert!(ids("steel").len() > 8 && ids("steel").contains(&"stainless-304"));
-        assert_eq!(ids("Aluminum 6061"), ids("aluminium"));
         assert_eq!(ids("silicon"), ["silicon"]);
         // Words in any order, of which the list has others between them.
         assert_eq!(ids("alu 6082"), ["aluminium-6082-t6"]);
         assert_eq!(ids("steel-42CrMo4"), ["steel-42crmo4-qt"]);
         assert!(ids("unobtainium").is_empty());
-        assert_eq!(suggestion("steel-a63").0, Some("steel-a36"));
-        let (near, needed) = suggestion("aluminum");
-        assert_eq!(near, Some("aluminium"));
-        assert!(needed.starts_with("one of aluminium, aluminium-1100-h14, "), "{needed}");
-        assert!(suggestion("steel").1.starts_with("one of steel-100cr6, "));
-        assert_eq!(suggestion("unobtainium").0, None);
     }
 
     #[test]

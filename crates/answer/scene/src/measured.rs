@@ -15,9 +15,6 @@ pub struct Measured {
     pub statistics: Statistics,
     /// The longer side of a pixel \[m\].
     pub pixel_size: f64,
-    /// The wavelength above which half of Sq² lies \[m\]; `None` for two surfaces and for scans
-    /// without a spectrum.
-    pub long_wavelength: Option<f64>,
 }
 
 /// The spectrum of a scan, or the reason why there is none.

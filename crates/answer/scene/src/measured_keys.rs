@@ -15,7 +15,6 @@ use crate::keys::{KEYS, Key, Subject};
 #[serde(default)]
 pub struct MeasuredKeys {
     pub(crate) file: Option<PathBuf>,
-    pub(crate) files: Option<Vec<PathBuf>>,
     /// How asperities are estimated.
     pub estimator: Estimator,
     /// The form removed; the usual one by default.

@@ -117,9 +117,9 @@ mod tests {
             let path = folder.path().join("data.xlsx");
             fs::write(&path, bytes).unwrap();
             let refused = read_measurements(&path);
-            assert!(matches!(refused, Err(SceneError::Unreadable { .. })), "{refused:?}");
+            assert!(matches!(refused, Err(SceneError::Refused { .. })), "{refused:?}");
         }
         let refused = read_measurements("none.csv");
-        assert!(matches!(refused, Err(SceneError::Unreadable { .. })), "{refused:?}");
+        assert!(matches!(refused, Err(SceneError::Refused { .. })), "{refused:?}");
     }
 }

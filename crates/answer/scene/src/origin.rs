@@ -13,10 +13,7 @@ pub struct Provenance {
     pub(crate) lines: BTreeMap<String, usize>,
     /// The keys of numbers with a unit.
     pub(crate) stated: Vec<String>,
-    /// The keys of numbers in a unit that is not decimal, such as psi or HV, and these in one:
-    /// `200 HV is 2.115 GPa`.
-    pub(crate) converted: Vec<(String, String)>,
-    /// The scans and the table of heights that the scene names.
+    /// The scans that the scene names.
     pub(crate) files: Vec<PathBuf>,
 }
 

@@ -1,8 +1,8 @@
 //! Numbers with a unit, "210 GPa", in SI units.
 
 use asperity::{
-    Code, Finding, OTHER_UNITS, SeparationUnit, UNITS, Units, hardness_of_vickers,
-    plain_unit as plain, short, vickers_of_brinell, vickers_of_rockwell_c,
+    Units, hardness_of_vickers, plain_unit as plain, units, vickers_of_brinell,
+    vickers_of_rockwell_c,
 };
 
 use crate::keys::{Key, key_of_input};
@@ -71,7 +71,7 @@ fn number_in(text: &str, si: &str, key: &str) -> Result<f64, String> {
     if let Ok(value) = text.trim().parse() {
         return Ok(value);
     }
-    match UNITS.into_iter().find(|(known, ..)| *known == si) {
+    match units().iter().find(|units| units.si == si) {
         Some(units) => in_si(text, key, units),
         None => {
             let number = text.trim().strip_suffix(si).unwrap_or(text).trim().parse();
@@ -80,20 +80,20 @@ fn number_in(text: &str, si: &str, key: &str) -> Result<f64, String> {
     }
 }
 
-/// A number with one of the units of a key, or what follows its text in a message.
-pub(crate) fn in_si(text: &str, key: &str, units: Units) -> Result<f64, String> {
-    let (si, example, names) = units;
-    let other = || {
-        let (value, unit) = in_known_unit(text, key, si)?;
-        read(&format!("{value:e}{unit}"), units)
+/// A number with one of the units of a key, or what follows its text in a message. Of the keys,
+/// the hardness takes results of hardness tests.
+pub(crate) fn in_si(text: &str, key: &str, units: &Units) -> Result<f64, String> {
+    let tested = || {
+        let gigapascals = 1e-9 * hardness_of_vickers(vickers(text).filter(|_| key == "hardness")?);
+        scale(&format!("{gigapascals:e}"), 9)
     };
-    read(text, units).or_else(other).ok_or_else(|| {
+    read(text, units).or_else(tested).ok_or_else(|| {
         if let Some(hint) = notation_hint(text) {
             return hint.into();
         }
         let typed = Key::find("", key).map(|key| key.form[1]).filter(|typed| !typed.is_empty());
-        let example = typed.unwrap_or(example);
-        let names = names.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ");
+        let (si, example) = (units.si, typed.unwrap_or(units.example));
+        let names = units.decimal.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ");
         format!("is not a number in {si}: write \"{example}\", for example (units: {names})")
     })
 }
@@ -131,53 +131,23 @@ fn scale(number: &str, power: i32) -> Option<f64> {
     format!("{digits}e{exponent}").parse().ok()
 }
 
-/// The Vickers number of the result of a hardness test, `120 HV10` or `HRC 58`, and the table by
-/// which it was found from another scale.
-fn vickers(text: &str) -> Option<(f64, Option<&'static str>)> {
+/// The Vickers number of the result of a hardness test, `120 HV10` or `HRC 58`.
+fn vickers(text: &str) -> Option<f64> {
     let text = text.to_uppercase();
     let (number, scale) = ["HV", "HRC", "HBW", "HB"].into_iter().find_map(|scale| {
         let (before, after) = text.trim().split_once(scale)?;
         let number = [before, after].into_iter().find_map(|text| text.trim().parse::<f64>().ok());
         number.filter(|value| value.is_finite()).map(|number| (number, scale))
     })?;
-    Some(match scale {
-        "HV" => (number, None),
-        "HRC" => (vickers_of_rockwell_c(number)?, Some("by a table for steel, 20 to 65 HRC")),
-        _ => (vickers_of_brinell(number)?, Some("HB/0.95, for steel up to 450 HB")),
-    })
-}
-
-/// A number of a key in one of [`OTHER_UNITS`], or a hardness such as `120 HV`, as a value in a
-/// decimal unit.
-fn in_known_unit(text: &str, key: &str, si: &str) -> Option<(f64, &'static str)> {
-    if let Some((vickers, _)) = vickers(text).filter(|_| key == "hardness") {
-        return Some((1e-9 * hardness_of_vickers(vickers), "GPa"));
+    match scale {
+        "HV" => Some(number),
+        "HRC" => vickers_of_rockwell_c(number),
+        _ => vickers_of_brinell(number),
     }
-    let (number, unit) = leading(text)?;
-    let other = |(of, name, ..): &&(&str, &str, f64, &str)| *of == si && *name == unit;
-    let (.., factor, decimal) = OTHER_UNITS.iter().find(other)?;
-    Some((factor * scale(&number, 0)?, decimal))
-}
-
-/// A number of a key, or of any with an empty one, that has a unit outside of the decimal ones, in
-/// one of these; of a hardness on another scale than Vickers, with its table.
-///
-/// ```
-/// assert_eq!(asperity_scene::converted("5 kN/cm2", "", "Pa").as_deref(), Some("50 MPa"));
-/// assert_eq!(asperity_scene::converted("5 kN/cm2", "", "N"), None);
-/// assert_eq!(asperity_scene::converted("120 HV", "hardness", "Pa").as_deref(), Some("1.269 GPa"));
-/// ```
-#[must_use]
-pub fn converted(text: &str, key: &str, si: &str) -> Option<String> {
-    let (value, unit) = in_known_unit(text, key, si)?;
-    let table = vickers(text).filter(|_| key == "hardness").and_then(|(vickers, table)| {
-        Some(format!(" ({vickers:.0} HV {}; tables differ by some per cent)", table?))
-    });
-    Some(format!("{} {unit}{}", short(value), table.unwrap_or_default()))
 }
 
 /// A number with one of the units.
-fn read(given: &str, (.., units): Units) -> Option<f64> {
+fn read(given: &str, units: &Units) -> Option<f64> {
     let (number, unit) = leading(given)?;
     // 1/mm2 may be written /mm2 or mm-2, 1/mm /mm or mm-1.
     let is = |known: &str| {
@@ -187,48 +157,11 @@ fn read(given: &str, (.., units): Units) -> Option<f64> {
         };
         unit == known || known.strip_prefix("1/").is_some_and(inverse)
     };
-    let (_, power) = units.iter().find(|(known, _)| is(known))?;
-    scale(&number, *power)
-}
-
-/// Separations beyond this many σ_z are unlikely.
-const FAR: f64 = 1e3;
-/// Separations below this many σ_z are unlikely, except 0.
-const NEAR: f64 = 1e-3;
-/// Usual gaps, in σ_z.
-const GAPS: std::ops::Range<f64> = 1e-2..30.0;
-/// Gaps above this length \[m\] are unlikely.
-const LONG: f64 = 0.1;
-
-/// A warning for a separation (or another length, by its `name`) of an unlikely size in its unit,
-/// with the `remedy`; σ_z is `height_std` \[m\].
-///
-/// ```
-/// use asperity::SeparationUnit;
-///
-/// let found = |x| asperity_scene::mistaken_unit("gap", x, SeparationUnit::Sigma, 1e-6, "write 2um");
-/// let text = "gap is 2e-6 asperity_height_std (usual: 0.001 to 1000): write 2um";
-/// assert_eq!(found(2e-6).unwrap().to_string(), text);
-/// assert_eq!(found(2.0), None);
-/// ```
-#[must_use]
-pub fn mistaken_unit(
-    name: &str,
-    value: f64,
-    unit: SeparationUnit,
-    height_std: f64,
-    remedy: &str,
-) -> Option<Finding> {
-    let size = value.abs();
-    let (si, usual) = match unit {
-        SeparationUnit::Metres => ("m", [0.0, LONG.max(FAR * height_std)]),
-        SeparationUnit::Sigma => ("asperity_height_std", [NEAR, FAR]),
-        _ => return None,
-    };
-    // A gap next to 0 that is none in metres either is meant so, and an infinite one, too.
-    let is_odd = size > usual[1] || size < usual[0] && GAPS.contains(&(size / height_std));
-    let found = Finding::warning(Code::LikelyUnit, name.to_string(), value).usual(usual).unit(si);
-    (is_odd && size.is_finite()).then(|| found.advice(remedy.to_string()))
+    if let Some((_, power)) = units.decimal.iter().find(|(known, _)| is(known)) {
+        return scale(&number, *power);
+    }
+    let (_, size, power) = units.others.iter().find(|(known, ..)| *known == unit)?;
+    scale(&format!("{:e}", size * scale(&number, 0)?), *power)
 }
 
 #[cfg(test)]
@@ -237,26 +170,24 @@ mod tests {
 
     #[test]
     fn other_units_are_taken() {
-        for (text, si, wanted, same) in [
-            ("36 ksi", "Pa", 248.211e6, "248.2 MPa"),
-            ("30 Msi", "Pa", 206.843e9, "206.8 GPa"),
-            ("145 psi", "Pa", 999_740.0, "999.7 kPa"),
-            ("210 kN/mm2", "Pa", 210e9, "210 GPa"),
-            ("0.5 in2", "m^2", 322.58e-6, "322.6 mm2"),
-            ("8000 \u{c5}", "m", 800e-9, "800 nm"),
-            ("0.8 micron", "m", 0.8e-6, "0.8 um"),
-            ("100 lbf", "N", 444.822, "444.8 N"),
-            ("16 \u{b5}in", "m", 406.4e-9, "406.4 nm"),
-            ("10 Mpsi", "Pa", 68.9476e9, "68.95 GPa"),
-            ("200 kgf/mm^2", "Pa", 1961.33e6, "1961 MPa"),
-            ("1 atm", "Pa", 101_325.0, "101.3 kPa"),
+        for (text, si, wanted) in [
+            ("36 ksi", "Pa", 248.211e6),
+            ("30 Msi", "Pa", 206.843e9),
+            ("145 psi", "Pa", 999_740.0),
+            ("210 kN/mm2", "Pa", 210e9),
+            ("0.5 in2", "m^2", 322.58e-6),
+            ("8000 \u{c5}", "m", 800e-9),
+            ("0.8 micron", "m", 0.8e-6),
+            ("100 lbf", "N", 444.822),
+            ("16 \u{b5}in", "m", 406.4e-9),
+            ("10 Mpsi", "Pa", 68.9476e9),
+            ("200 kgf/mm^2", "Pa", 1961.33e6),
+            ("1 atm", "Pa", 101_325.0),
         ] {
             let found = quantity(text, si).unwrap();
             assert!((found / wanted - 1.0).abs() < 3e-6, "{text}: {found}");
-            assert_eq!(converted(text, "", si).as_deref(), Some(same));
         }
         assert!(quantity("36 ksi", "N").is_err());
-        assert_eq!(converted("210 GPa", "youngs_modulus", "Pa"), None);
     }
 
     #[test]
@@ -289,8 +220,6 @@ mod tests {
             let found = quantity_of("hardness", text).unwrap();
             assert!((found / pascals - 1.0).abs() < 5e-4, "{text}: {found}");
         }
-        let note = converted("58 HRC", "hardness", "Pa").unwrap();
-        assert!(note.starts_with("6.907 GPa (653 HV "), "{note}");
         for text in ["70 HRC", "500 HB", "90 HRB", "60 Shore A"] {
             assert!(quantity_of("hardness", text).is_err(), "{text}");
         }

@@ -36,38 +36,23 @@ pub struct Points {
 }
 
 impl Points {
-    /// The warnings at points with codes that are not `known` in the middle, each with the number
-    /// of its point: one of each code, with the largest excess over its usual range, and where it
-    /// is.
+    /// The warnings at points with codes that are not `known` in the middle: one of each code, with
+    /// the largest excess over its usual range.
+    #[must_use]
     pub fn worst<'f>(
-        &self,
         known: &[Finding],
-        at_points: impl Iterator<Item = (usize, &'f Finding)>,
+        at_points: impl Iterator<Item = &'f Finding>,
     ) -> Vec<Finding> {
-        let mut new: Vec<(usize, &Finding)> = vec![];
+        let mut new: Vec<&Finding> = vec![];
         let is_new = |found: &Finding| known.iter().all(|known| known.code != found.code);
-        for (k, found) in at_points.filter(|(_, one)| one.severity < Severity::Note && is_new(one))
-        {
-            match new.iter_mut().find(|(_, known)| known.code == found.code) {
-                Some(known) if found.excess() > known.1.excess() => *known = (k, found),
+        for found in at_points.filter(|one| one.severity < Severity::Note && is_new(one)) {
+            match new.iter_mut().find(|known| known.code == found.code) {
+                Some(known) if found.excess() > known.excess() => *known = found,
                 Some(_) => {}
-                None => new.push((k, found)),
+                None => new.push(found),
             }
         }
-        new.into_iter().map(|(k, found)| found.clone().from_origin(self.place(k))).collect()
-    }
-
-    /// Where a point is: the numbers at their lower ends, and those at their upper ones.
-    fn place(&self, k: usize) -> String {
-        let Some(uppers) = self.corners().nth(k) else { return "within the ranges".into() };
-        let of = |is_upper: bool| {
-            let names = self.unknowns.iter().zip(&uppers).filter(|(_, upper)| **upper == is_upper);
-            names.map(|(one, _)| &*one.name).collect::<Vec<_>>().join(", ")
-        };
-        let ends = [("lower", of(false)), ("upper", of(true))];
-        let ends = ends.into_iter().filter(|(_, names)| !names.is_empty());
-        let ends = ends.map(|(end, names)| format!("{end} end of {names}"));
-        format!("at the {}", ends.collect::<Vec<_>>().join(" and the "))
+        new.into_iter().map(|found| found.clone().from_origin("within the ranges")).collect()
     }
 
     /// For each combination of ends whether each unknown is at its upper end.

@@ -3,14 +3,13 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use asperity::{Code, ContactError, Datum, Finding, Findings, TabulatedHeights};
+use asperity::{Code, ContactError, Datum, Findings, TabulatedHeights};
 use toml::Value;
 
 use crate::curvature::{Curvature, WAYS};
 use crate::document::{Document, Files, HandedFiles};
 use crate::error::{Place, SceneError};
 use crate::gap::Gas;
-use crate::height_map::height_map;
 use crate::heights::{compare_std, heights};
 use crate::input::SceneInput;
 use crate::interface::bodies;
@@ -22,7 +21,7 @@ use crate::scans::{Asked, Scans, density};
 use crate::scene_file::SceneFile;
 use crate::seal::Seal;
 use crate::spec::{HeightsSpec, SceneSpec};
-use crate::surface::{Surfaces, notes, refused, surfaces};
+use crate::surface::{Surfaces, refused, smooth_counterface, surfaces};
 use crate::text_file::read_text;
 use crate::unknown::Unknown;
 
@@ -51,12 +50,11 @@ fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
         "`asperity init` writes a scene, and `asperity surface {} --scene scene.toml` makes one of a scan",
         path.display()
     );
-    let read = || {
-        let text = read_text(path, &advice, named)?;
-        let folder = path.parent().unwrap_or(Path::new(""));
-        scene_file(&Document::new(Some(path), Files::In(folder), &text)?, asked)
-    };
-    read().map_err(|error| match error {
+    let text = read_text(path, &advice, named)?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let document = Document::new(Some(path), Files::In(folder), &text);
+    let read = document.and_then(|document| scene_file(&document, asked));
+    read.map_err(|error| match error {
         SceneError::Refused { at, reason } if path.extension().is_none_or(|end| end != "toml") => {
             SceneError::Refused { at, reason: format!("{reason}; {advice}") }
         }
@@ -89,7 +87,7 @@ pub fn parse(text: &str, directory: &Path) -> Result<SceneFile, SceneError> {
 /// system, as in a browser.
 ///
 /// # Errors
-/// The errors of [`parse`]; [`SceneError::Unreadable`] for a file that is not among `files`.
+/// The errors of [`parse`]; [`SceneError::Refused`] for a file that is not among `files`.
 pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneError> {
     scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
 }
@@ -193,9 +191,9 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
         }
         found.extend(scans.notes(document, &together.statistics));
     }
-    found.extend(notes(document, &spec, &scene));
+    found.extend(smooth_counterface(&spec));
     if let (Some(table), false) = (&spec.heights.table, spec.heights.is_measured) {
-        found.extend(compare_std(document, table, scene.surface.asperity_height_std)?);
+        compare_std(document, table, scene.surface.asperity_height_std)?;
     }
     let offset = measured.as_ref().and_then(|found| found.statistics.mean_plane_offset);
     let of_table = spec.heights.table.is_some();
@@ -207,19 +205,10 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
             return Err(document.conflict(&key, source, needed));
         }
     }
-    let is_map = spec.single_scan().is_some_and(|scan| height_map(&scan.topography).is_ok());
-    if let Some(exponent) = spec.options.hurst_exponent.filter(|_| is_map) {
-        let at = document.place("options.hurst_exponent");
-        let note = Finding::warning(Code::HurstExponent, "hurst_exponent", exponent)
-            .fact("persson and persson-fudge use a power law instead of the spectrum of the scan")
-            .advice("remove hurst_exponent to use the spectrum of the scan");
-        found.push(note.from_origin(at.to_string()));
-    }
     let warnings = found.into_iter().collect::<Findings>().silenced(&spec.accept);
     let mut origin = document.origin.clone();
     let scans = spec.surfaces().filter_map(|(_, one)| one.scan()?.source.as_ref());
-    let files = scans.map(|(path, _)| path).chain(&spec.heights.file);
-    origin.files = files.cloned().collect();
+    origin.files = scans.map(|(path, _)| path.clone()).collect();
     let mut file = SceneFile {
         spec,
         scene,

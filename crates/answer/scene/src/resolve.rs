@@ -85,7 +85,7 @@ fn measured(
         reason: error.to_string(),
     })?;
     let pixel_size = scan.pixel_size.max(pixel);
-    Ok(Some(Arc::new(Measured { statistics, pixel_size, long_wavelength: None })))
+    Ok(Some(Arc::new(Measured { statistics, pixel_size })))
 }
 
 /// A Gaussian surface with the rms height and slope of a scan without asperities.

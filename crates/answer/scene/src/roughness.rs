@@ -1,18 +1,17 @@
 //! Three numbers that describe a rough surface.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
-use asperity::{ContactError, Interface, ProfileMoments, Scene, Surface, positive};
+use asperity::{ContactError, Interface, ProfileMoments, Scene, Surface};
 
-/// The ways to describe a surface by three numbers.
-pub(crate) const WAYS: &[[&str; 3]; 7] = &[
-    ["asperity_radius", "asperity_density", "asperity_height_std"],
-    ["plasticity_index", "roughness_parameter", "asperity_height_std"],
-    ["asperity_radius", "asperity_density", "surface_height_std"],
-    ["surface_height_std", "mean_slope", "asperity_density"],
-    ["m0", "m2", "m4"],
-    ["sq", "spd", "spc"],
-    ["sq", "spd", "sdq"],
+/// The ways to describe a surface by three numbers, in their order, with the keys.
+pub(crate) const WAYS: [(Way, [&str; 3]); 6] = [
+    (Way::Asperities, ["asperity_radius", "asperity_density", "asperity_height_std"]),
+    (Way::PlasticityIndex, ["plasticity_index", "roughness_parameter", "asperity_height_std"]),
+    (Way::SurfaceStd, ["asperity_radius", "asperity_density", "surface_height_std"]),
+    (Way::MeanSlope, ["surface_height_std", "mean_slope", "asperity_density"]),
+    (Way::Moments, ["m0", "m2", "m4"]),
+    (Way::Iso25178, ["sq", "spd", "spc"]),
 ];
 
 /// What three numbers of a surface are.
@@ -32,32 +31,25 @@ pub enum Way {
     Moments,
     /// Parameters of ISO 25178: Sq, Spd and Spc.
     Iso25178,
-    /// Parameters of ISO 25178: Sq, Spd and the rms gradient Sdq of an isotropic Gaussian surface.
-    Gradient,
 }
 
 impl Way {
     /// All of them.
-    pub const ALL: [Self; 7] = [
-        Self::Asperities,
-        Self::PlasticityIndex,
-        Self::SurfaceStd,
-        Self::MeanSlope,
-        Self::Moments,
-        Self::Iso25178,
-        Self::Gradient,
-    ];
+    pub fn all() -> impl DoubleEndedIterator<Item = Self> + Clone {
+        WAYS.iter().map(|(way, _)| *way)
+    }
 
     /// The keys of the numbers.
     #[must_use]
     pub fn keys(self) -> &'static [&'static str; 3] {
-        &WAYS[self as usize]
+        const ALL: &[(Way, [&str; 3])] = &WAYS;
+        &ALL[self as usize].1
     }
 
     /// The way with these keys.
     #[must_use]
     pub fn of(keys: &[&str]) -> Option<Self> {
-        Self::ALL.into_iter().find(|way| *way.keys() == *keys)
+        Self::all().find(|way| *way.keys() == *keys)
     }
 
     /// Whether the numbers are those of the surface, from which its asperities follow, not the
@@ -115,7 +107,6 @@ impl Roughness {
             Way::MeanSlope => Surface::from_mean_slope(a, b, c),
             Way::Moments => Surface::from_moments(&ProfileMoments { m0: a, m2: b, m4: c }),
             Way::Iso25178 => Surface::from_iso25178(a, b, c),
-            Way::Gradient => from_gradient(a, b, c),
         }?;
         surface.check()?;
         Ok(surface)
@@ -180,10 +171,4 @@ impl Roughness {
         }
         Ok(edited)
     }
-}
-
-/// Sdq over √π is the mean absolute slope of profiles of an isotropic Gaussian surface.
-fn from_gradient(sq: f64, spd: f64, sdq: f64) -> Result<Surface, ContactError> {
-    let (sq, spd, sdq) = (positive("sq", sq)?, positive("spd", spd)?, positive("sdq", sdq)?);
-    Surface::from_mean_slope(sq, sdq / PI.sqrt(), spd)
 }

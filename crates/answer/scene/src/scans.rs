@@ -11,7 +11,7 @@ use toml::{Table, Value};
 
 use crate::document::Document;
 use crate::error::SceneError;
-use crate::height_map::{long_wavelength, open_seam};
+use crate::height_map::open_seam;
 use crate::keys::{COUNTERFACE, Key, Subject};
 use crate::measured::{Measured, Scan};
 use crate::measured_keys::MeasuredKeys;
@@ -64,8 +64,7 @@ impl Source {
         let [dx, dy] = scan.pixel_size();
         let statistics = scan.statistics(self.keys.estimator);
         let statistics = statistics.map_err(|error| self.refused(document, error))?;
-        let long_wavelength = long_wavelength(scan);
-        Ok(Measured { statistics, pixel_size: dx.max(dy), long_wavelength })
+        Ok(Measured { statistics, pixel_size: dx.max(dy) })
     }
 
     /// Its file for a scene elsewhere, and its keys.
@@ -74,7 +73,7 @@ impl Source {
         let is_own = |name: &str| {
             let key = Key::find("surface", name);
             let is_scan = key.is_some_and(|key| key.subject == Subject::Scan);
-            is_scan && !["file", "files", "aligned"].contains(&name)
+            is_scan && !["file", "aligned"].contains(&name)
         };
         let own = given.into_iter().flatten().filter(|(name, _)| is_own(name));
         let keys = own.map(|(name, value)| (name.clone(), value.clone())).collect();
@@ -113,20 +112,8 @@ fn sources(document: &Document<'_>, asked: Asked) -> Result<Vec<Source>, SceneEr
             let [smooth, filter] = ["smooth", "filter"].map(|key| format!("{section}.{key}"));
             return Err(document.conflict(&smooth, &filter, needed));
         }
-        let mut one = |at: String, path: &PathBuf| {
-            scans.push(Source { section, at, path: path.clone(), keys: keys.clone() });
-        };
-        match (&keys.file, keys.files.as_deref()) {
-            (None, None) => {}
-            (Some(file), None) => one(format!("{section}.file"), file),
-            (None, Some(files @ [_, _])) if !document.has(COUNTERFACE) => {
-                (1..).zip(files).for_each(|(k, file)| one(format!("surface.files[{k}]"), file));
-            }
-            (_, Some(files)) => {
-                let needed = "a list of two paths, without file and counterface,";
-                let found = format_args!("a list of {}", files.len());
-                return Err(SceneError::value(document.place("surface.files"), found, needed));
-            }
+        if let Some(path) = keys.file.clone() {
+            scans.push(Source { section, at: format!("{section}.file"), path, keys });
         }
     }
     Ok(scans)
@@ -153,11 +140,11 @@ impl Scans {
         let [first, rest @ ..] = &sources[..] else {
             return Err(document.missing("surface.file", "a measured file"));
         };
-        let (second, two) = (rest.first(), two(document));
+        let second = rest.first();
         let alignment = MeasuredKeys::read(document, "surface")?.alignment();
         let is_pair = second.is_some() || beside_numbers;
         if alignment.is_some() && second.is_none() {
-            let needed = "two scans, files or a file and counterface.file,";
+            let needed = "two scans, file and counterface.file,";
             let found = format_args!("for one scan");
             return Err(SceneError::value(document.place("surface.aligned"), found, needed));
         }
@@ -166,11 +153,15 @@ impl Scans {
             if let Some(one) = sources.iter().find(by_summits) {
                 let needed =
                     "estimator = \"moments\" for two surfaces: moments add, summits do not,";
-                return Err(document.conflict(&format!("{}.estimator", one.section), two, needed));
+                return Err(document.conflict(
+                    &format!("{}.estimator", one.section),
+                    COUNTERFACE,
+                    needed,
+                ));
             }
             if are_measured {
                 let needed = "one file or aligned scans: the heights of two surfaces do not add,";
-                return Err(document.conflict("surface.heights", two, needed));
+                return Err(document.conflict("surface.heights", COUNTERFACE, needed));
             }
         }
         let read = |one: &Source| -> Result<Scan, SceneError> {
@@ -187,7 +178,7 @@ impl Scans {
             (Some(alignment), [one, two, ..]) => {
                 let both = one.topography.facing(&two.topography, alignment);
                 let both = both.map_err(|reason| SceneError::Refused {
-                    at: document.place(self::two(document)),
+                    at: document.place(COUNTERFACE),
                     reason: reason.to_string(),
                 })?;
                 let measured = first.measure(document, &both)?;
@@ -205,10 +196,10 @@ impl Scans {
     }
 
     /// The key at which findings of all scans are.
-    fn at<'s>(&'s self, document: &Document<'_>) -> &'s str {
+    fn at(&self) -> &str {
         match &self.each[..] {
             [(only, _)] => &only.at,
-            _ => two(document),
+            _ => COUNTERFACE,
         }
     }
 
@@ -218,7 +209,7 @@ impl Scans {
             [(only, _)] if !self.is_pair => format!("{}: {reason}", only.path.display()),
             _ => reason.to_string(),
         };
-        SceneError::Refused { at: document.place(self.at(document)), reason }
+        SceneError::Refused { at: document.place(self.at()), reason }
     }
 
     /// The findings of the scans of a scene with these statistics.
@@ -233,7 +224,7 @@ impl Scans {
             let own = own.filter(|found| !OF_SUM.contains(&found.code)).cloned();
             notes.extend(own.map(from(&source.at)));
         }
-        notes.extend(together.warnings.iter().cloned().map(from(self.at(document))));
+        notes.extend(together.warnings.iter().cloned().map(from(self.at())));
         for (Source { section, keys, .. }, _) in &self.each {
             let tilted = keys.level.and_then(|level| level.tilts(keys.periodic));
             notes.extend(tilted.map(from(&format!("{section}.level"))));
@@ -244,11 +235,6 @@ impl Scans {
         notes.extend(seam.map(from(&format!("{section}.periodic"))));
         notes
     }
-}
-
-/// The key of the second scan.
-fn two(document: &Document<'_>) -> &'static str {
-    if document.has(COUNTERFACE) { COUNTERFACE } else { "surface.files" }
 }
 
 /// The density of the summits' heights above the mean plane.

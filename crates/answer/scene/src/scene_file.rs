@@ -104,14 +104,7 @@ impl SceneFile {
         Some(Roughness::of_moments(own.plus(&second.roughness()?.moments(&two.asperities))))
     }
 
-    /// The keys of numbers in a unit that is not decimal, such as psi or HV, and these in one:
-    /// `200 HV is 2.115 GPa`.
-    #[must_use]
-    pub fn converted(&self) -> &[(String, String)] {
-        self.origin.as_ref().map_or(&[], |origin| &origin.converted)
-    }
-
-    /// The files that the scene names: scans and a table of heights.
+    /// The scans that the scene names.
     #[must_use]
     pub fn files(&self) -> &[std::path::PathBuf] {
         self.origin.as_ref().map_or(&[], |origin| &origin.files)
@@ -147,20 +140,6 @@ impl SceneFile {
     /// The reason why the scan has no asperities, in a scene from `load_scan`.
     pub(crate) fn no_asperities(&self) -> Option<String> {
         Some(self.measured.as_ref()?.statistics.surface().err()?.to_string())
-    }
-
-    /// A missing hardness as an error at its place in the file.
-    ///
-    /// # Errors
-    /// Any other error as it is, and any error of a scene without a file.
-    pub fn at_its_key(&self, error: ContactError) -> Result<SceneError, ContactError> {
-        match (&self.origin, &error) {
-            (Some(origin), ContactError::Missing { field: "hardness", .. }) => {
-                let place = origin.place(&format!("{}.hardness", self.spec.bodies.section()));
-                Ok(SceneError::from_contact(error, |_| place.clone().into()))
-            }
-            _ => Err(error),
-        }
     }
 
     /// The gas in the gap.

@@ -1,6 +1,5 @@
 //! What was written about a scene, in SI numbers.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use asperity::{
@@ -98,8 +97,6 @@ pub struct HeightsSpec {
     pub table: Option<Arc<TabulatedHeights>>,
     /// Whether the table is of the summits of the scan.
     pub(crate) is_measured: bool,
-    /// The file of the table.
-    pub(crate) file: Option<PathBuf>,
 }
 
 /// The interface of two bodies, or of one on a rigid counterface.

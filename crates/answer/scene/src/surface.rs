@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity::{
-    Code, Finding, HeightDistribution, ProfileMoments, Scene, nearest_name, short, unusual,
-};
+use asperity::{Code, Finding, nearest_name, unusual};
 use toml::Value;
 
 use crate::document::Document;
@@ -13,24 +11,24 @@ use crate::finish::{Drawing, FINISH};
 use crate::keys::{COUNTERFACE, KEYS, Key, Subject, joined};
 use crate::measured::Scan;
 use crate::resolve::Fault;
-use crate::roughness::{Roughness, WAYS, Way};
+use crate::roughness::{Roughness, Way};
 use crate::scans::{Asked, Scans};
 use crate::spec::{Description, HeightsSpec, SceneSpec, SurfaceSpec};
 use crate::text_file::shorten;
 
 /// What a counterface may be instead of a surface of its own.
 const WORDS: [&str; 2] = ["smooth", "same"];
-/// The files of measured surfaces.
-const FILES: [&str; 2] = ["file", "files"];
+/// The file of a measured surface.
+const FILE: [&str; 1] = ["file"];
 const STD: &str = "asperity_height_std";
 /// Keys that describe a surface only beside others.
-const BESIDE: [&str; 4] = [STD, "surface_height_std", "mean_slope", "sdq"];
+const BESIDE: [&str; 3] = [STD, "surface_height_std", "mean_slope"];
 
 /// What a section needs, with all ways.
 fn one_way() -> String {
-    let ways: Vec<String> = WAYS.iter().map(|way| way.join(", ")).collect();
+    let ways: Vec<String> = Way::all().map(|way| way.keys().join(", ")).collect();
     format!(
-        "exactly one way to describe the surface: ra, finish; or {}; or file, files",
+        "exactly one way to describe the surface: ra, finish; or {}; or file",
         ways.join("; or ")
     )
 }
@@ -43,7 +41,7 @@ fn way(
 ) -> Result<(&'static [&'static str], &'static str), SceneError> {
     let at = |key: &str| format!("{section}.{key}");
     let has = |key: &&&str| document.has(&at(key));
-    let ways = || WAYS.iter().map(|way| &way[..]).chain([FINISH, &FILES[..]]);
+    let ways = || Way::all().map(|way| &way.keys()[..]).chain([FINISH, &FILE[..]]);
     let decides = |key: &&&str| !BESIDE.contains(*key) && has(key);
     let Some(key) = ways().flatten().find(decides).copied() else {
         return Err(document.missing(section, one_way()));
@@ -56,9 +54,9 @@ fn way(
     let odd = KEYS
         .iter()
         .filter(describes)
-        .find(|key| !way.contains(&key.name) && has(&&key.name) && !(is_scan(key) && way == FILES));
+        .find(|key| !way.contains(&key.name) && has(&&key.name) && !(is_scan(key) && way == FILE));
     let Some(odd) = odd else { return Ok((way, key)) };
-    let needed = match is_scan(odd) && !FILES.contains(&odd.name) {
+    let needed = match is_scan(odd) && odd.name != FILE[0] {
         true => "a measured file".into(),
         false => one_way(),
     };
@@ -128,7 +126,7 @@ pub(crate) fn surfaces(
     let second = match is_same {
         true if first.scan().is_some() => {
             let at = document.place(COUNTERFACE);
-            let reason = "\"same\" is of a surface by numbers; name the scans of both by files";
+            let reason = "\"same\" is of a surface by numbers; name a file in each section";
             return Err(SceneError::Refused { at, reason: reason.into() });
         }
         true => Some(first.clone()),
@@ -154,11 +152,7 @@ fn described(
     for (key, value) in names.iter().zip(&mut numbers) {
         let by_table = || table_std.filter(|_| *key == STD);
         *value = document.number(&at(key))?.or_else(by_table).ok_or_else(|| {
-            let how = match names {
-                ["sq", ..] => "sq and spd go with spc or sdq".into(),
-                _ => format!("{} go together", names.join(", ")),
-            };
-            document.missing(&at(key), how)
+            document.missing(&at(key), format!("{} go together", names.join(", ")))
         })?;
     }
     Ok(Some((Description::Numbers(Roughness { way, numbers }), key)))
@@ -181,45 +175,11 @@ pub(crate) fn refused(
     odd.unwrap_or_else(|| document.refused(&section)(source))
 }
 
-/// The findings of the numbers of the surfaces.
-pub(crate) fn notes(document: &Document<'_>, spec: &SceneSpec, scene: &Scene) -> Vec<Finding> {
-    let mut notes = vec![];
-    let place = |path: &str| document.place(path).to_string();
+/// A warning of a single finish whose counterface is not named.
+pub(crate) fn smooth_counterface(spec: &SceneSpec) -> Option<Finding> {
     let is_open = spec.surface.drawing().is_some_and(Drawing::is_open);
-    if is_open && spec.counterface.is_none() && !spec.is_smooth {
-        let found = Finding::warning(Code::SmoothCounterface, "counterface", f64::NAN)
-            .fact("the other surface is taken as smooth (by models of pairs as rough as this one)")
-            .advice("give counterface = \"smooth\" or \"same\", or describe it");
-        notes.push(found);
-    }
-    for (section, one) in spec.surfaces() {
-        if let Some(drawing) = one.drawing() {
-            let of_drawing = drawing.warnings(|key| place(&joined(section, key)));
-            notes.extend(of_drawing.unwrap_or_default());
-        }
-        notes.extend(
-            one.drawing()
-                .and_then(Drawing::skewed)
-                .filter(|_| matches!(spec.heights.distribution, HeightDistribution::Gaussian)),
-        );
-        // The moments of each of two surfaces add.
-        if let Some(roughness) = one.roughness().filter(|one| one.way != Way::Moments)
-            && spec.counterface.is_some()
-            && let Ok(asperities) = roughness.surface(&scene.interface)
-        {
-            let moments = roughness.moments(&asperities);
-            notes.push(gaussian_moments(section, &moments).from_origin(place(section)));
-        }
-    }
-    notes
-}
-
-/// The note on moments that follow from other numbers.
-fn gaussian_moments(section: &'static str, moments: &ProfileMoments) -> Finding {
-    let [m0, m2, m4] = [moments.m0, moments.m2, moments.m4].map(short);
-    Finding::note(Code::GaussianMoments, section, f64::NAN)
-        .fact(format!(
-            "m0 = {m0} m^2, m2 = {m2} and m4 = {m4} 1/m^2 are those of an isotropic Gaussian surface with these numbers"
-        ))
-        .advice("use a scan where this is in doubt")
+    let found = Finding::warning(Code::SmoothCounterface, "counterface", f64::NAN)
+        .fact("the other surface is taken as smooth (by models of pairs as rough as this one)")
+        .advice("give counterface = \"smooth\" or \"same\", or describe it");
+    (is_open && spec.counterface.is_none() && !spec.is_smooth).then_some(found)
 }

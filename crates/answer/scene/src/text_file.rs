@@ -37,7 +37,8 @@ pub(crate) fn read_text(
             None => format!("the file is not a text file in UTF-8; {advice}"),
         },
     };
-    Err(SceneError::Unreadable { at: Box::new(place()), reason })
+    let reason = format!("cannot be read: {reason}");
+    Err(SceneError::Refused { at: Box::new(place()), reason })
 }
 
 /// The first 60 characters of a text.
@@ -59,7 +60,7 @@ mod tests {
         // The limit lies within a character.
         std::fs::write(&path, format!("#{}", "\u{b5}".repeat(1 << 19))).unwrap();
         let refused = read_text(&path, "advice", || Place::field("scene"));
-        assert!(matches!(refused, Err(SceneError::Unreadable { .. })), "{refused:?}");
+        assert!(matches!(refused, Err(SceneError::Refused { .. })), "{refused:?}");
     }
 
     #[test]

@@ -7,7 +7,7 @@ use asperity::{
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
 use crate::input::{OWN, Of, SCENE, SceneInput};
-use crate::keys::{BODY, CURVATURE, Field, GAP, INTERFACE, Key, MECHANICAL, OF_PAIR, key_of_input};
+use crate::keys::{BODY, CURVATURE, Field, GAP, INTERFACE, MECHANICAL, OF_PAIR, key_of_input};
 use crate::roughness::{Roughness, Way};
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
@@ -111,11 +111,9 @@ impl SceneFile {
             }
             let is_other = |key: &&&str| !first.way.keys().contains(*key);
             let other = keys.iter().find(is_other).copied().unwrap_or_default();
-            let rest: Vec<&str> = keys.iter().copied().filter(|key| *key != other).collect();
+            let own = first.way.keys().join(", ");
             let reason = format!(
-                "is given beside {}, which describes the surface in another way: give numbers of one way; the surface is given by {}",
-                rest.join(" and "),
-                first.way.keys().join(", ")
+                "describes the surface in another way: give numbers of one way; the surface is given by {own}"
             );
             return Err(SceneError::Input { name: other.into(), reason });
         }
@@ -125,9 +123,8 @@ impl SceneFile {
     /// The error about a name that is no input of this scene.
     fn unknown(name: &str, known: &[(String, SceneInput)]) -> SceneError {
         let names: Vec<&str> = known.iter().map(|(name, _)| &**name).collect();
-        let synonym = Key::synonym(name).map(|(key, _)| key).filter(|key| names.contains(key));
         let of_body = names.iter().copied().find(|known| key_of_input(known) == name);
-        let near = synonym.or(of_body).or_else(|| nearest_name(name, names.iter().copied()));
+        let near = of_body.or_else(|| nearest_name(name, names.iter().copied()));
         let (near, known) = (nearest_hint(near), names.join(", "));
         let reason = format!("is not an input of this scene{near}: one of {known} was required");
         SceneError::Input { name: name.into(), reason }

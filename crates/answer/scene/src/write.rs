@@ -10,7 +10,7 @@ use toml::{Table, Value};
 use crate::document::{Document, Files};
 use crate::error::{Place, SceneError};
 use crate::input::OWN;
-use crate::keys::{BODY, Field, Key, joined, keys_of};
+use crate::keys::{BODY, Field};
 use crate::materials::Material;
 use crate::measured::Scan;
 use crate::read::scene_file;
@@ -18,7 +18,6 @@ use crate::roughness::{Roughness, Way};
 use crate::scans::Asked;
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SurfaceSpec};
-use crate::template::template;
 use crate::unknown::Unknown;
 
 impl SceneFile {
@@ -41,7 +40,7 @@ impl SceneFile {
     /// ```
     ///
     /// # Errors
-    /// [`SceneError::Unwritable`] for heights that a file cannot represent.
+    /// [`SceneError::Refused`] for heights that a file cannot represent.
     pub fn to_toml(&self, comments: &[&str]) -> Result<String, SceneError> {
         let note = |line: &str| format!("# {}\n", line.replace(|c: char| c.is_control(), " "));
         let text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
@@ -61,30 +60,19 @@ impl SceneFile {
             None => ("nominal_area".into(), spec.nominal_area.into()),
             Some(bodies) => ("curvature".into(), written(bodies)),
         }));
-        top.insert("options".into(), spec.options.changed().into());
+        let options = spec.options.changed();
+        top.extend((!options.is_empty()).then(|| ("options".into(), options.into())));
         for (input, Unknown { ends, .. }) in &self.ranges {
             let table = section_mut(&mut top, input.section(&spec.bodies));
             table.map(|table| table.insert(input.key.into(), ends.to_vec().into()));
         }
-        let mut sections = String::new();
-        for name in ["body", "interface", "surface", "curvature", "gap", "seal", "options"] {
-            let header = if name == "body" { "[[body]]" } else { &format!("[{name}]") };
-            let all = match top.remove(name) {
-                Some(Value::Array(bodies)) => bodies,
-                section => section.into_iter().collect(),
-            };
-            let tables = all.iter().filter_map(Value::as_table).filter(|keys| !keys.is_empty());
-            for keys in tables {
-                sections += &format!("\n{header}\n{}", lines(name, keys));
-            }
-        }
-        Ok(text + &lines("", &top) + &sections)
+        Ok(format!("{text}{top}"))
     }
 
     /// Writes [`to_toml`](Self::to_toml) to a file and returns the text.
     ///
     /// # Errors
-    /// The errors of [`to_toml`](Self::to_toml), and [`SceneError::Unwritable`] with the system's
+    /// The errors of [`to_toml`](Self::to_toml), and [`SceneError::Refused`] with the system's
     /// reason.
     pub fn save(&self, path: &Path, comments: &[&str]) -> Result<String, SceneError> {
         let text = self.to_toml(comments)?;
@@ -127,15 +115,7 @@ impl SceneFile {
             keys.extend(word);
             return keys;
         };
-        let sources = [first, second].map(|one| one.scan().and_then(|scan| scan.source.as_ref()));
-        match sources {
-            [Some((one, own)), Some((two, other))] if own == other && second.own().is_empty() => {
-                keys.remove("file");
-                let files = [one, two].map(|path| Value::from(&*path.to_string_lossy()));
-                keys.insert("files".into(), files.to_vec().into());
-            }
-            _ => drop(keys.insert("counterface".into(), second.keys().into())),
-        }
+        keys.insert("counterface".into(), second.keys().into());
         keys
     }
 
@@ -244,40 +224,5 @@ fn keys_of_scan(scan: &Scan) -> Table {
 }
 
 fn unwritable(at: Place, reason: &str) -> SceneError {
-    SceneError::Unwritable { at: at.into(), reason: reason.into() }
-}
-
-/// The keys of a section, one per line, in the order of the template; numbers have a comment with
-/// their unit.
-fn lines(section: &str, table: &Table) -> String {
-    let header = format!("[{section}]");
-    let start = template().find(&header).filter(|_| !section.is_empty()).unwrap_or(0);
-    let place = |name: &&str| template()[start..].find(&format!("{name} = ")).unwrap_or(usize::MAX);
-    let mut names = keys_of(section);
-    names.sort_by_key(place);
-    let line = |name: &str| {
-        let value = table.get(name)?;
-        let meaning = match value {
-            Value::Float(_) | Value::Integer(_) => Key::meaning(&joined(section, name)),
-            _ => "",
-        };
-        let gap = if meaning.is_empty() { "" } else { "  # " };
-        Some(format!("{name} = {}{gap}{meaning}\n", inline(value)))
-    };
-    names.into_iter().filter_map(line).collect()
-}
-
-/// A value on one line: numbers with the shortest digits that read back.
-fn inline(value: &Value) -> String {
-    let joined = |parts: Vec<String>| parts.join(", ");
-    match value {
-        Value::Float(number) if number.is_nan() => "nan".into(),
-        Value::Float(number) => format!("{number:e}"),
-        Value::Array(items) => format!("[{}]", joined(items.iter().map(inline).collect())),
-        Value::Table(table) => {
-            let pair = |(name, value): (&String, &Value)| format!("{name} = {}", inline(value));
-            format!("{{ {} }}", joined(table.iter().map(pair).collect()))
-        }
-        other => other.to_string(),
-    }
+    SceneError::Refused { at: at.into(), reason: format!("cannot be written: {reason}") }
 }

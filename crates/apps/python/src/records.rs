@@ -160,7 +160,7 @@ fn roughness(given: &Bound<'_, PyDict>) -> PyResult<Roughness> {
     let is_of = |way: &Way| {
         names.len() == 3 && way.keys().iter().all(|key| names.iter().any(|name| name == key))
     };
-    let described = Way::ALL.into_iter().filter(|way| *way != Way::Asperities);
+    let described = Way::all().filter(|way| *way != Way::Asperities);
     let Some(way) = described.clone().find(is_of) else {
         let ways: Vec<String> = described.map(|way| way.keys().join(", ")).collect();
         let (names, ways) = (given.keys(), ways.join("; "));

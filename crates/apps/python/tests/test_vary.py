@@ -32,7 +32,6 @@ m4 = 6e9
 WAYS: list[dict[str, Any]] = [
     {"m0": 1e-12, "m2": 1e-4, "m4": 5e4},
     {"sq": 1.1e-6, "spd": 2e8, "spc": 5e3},
-    {"sdq": 0.058, "sq": 1.1e-6, "spd": 2e8},
     {"asperity_radius": 2e-4, "asperity_density": 2e8, "surface_height_std": 1.1e-6},
 ]
 

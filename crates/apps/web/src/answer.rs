@@ -249,10 +249,7 @@ impl Row {
             one.code.is_of_model() && one.code != Code::Yields && one.severity != Severity::Note
         };
         row.outside = found.iter().find(is_outside).map(|one| message(one, false));
-        // Findings of the load name an area above the nominal one already.
-        let is_new =
-            |one: &Finding| one.severity < Severity::Note && one.code != Code::AreaAboveNominal;
-        found.extend(warnings.into_iter().filter(is_new));
+        found.extend(warnings.into_iter().filter(|one| one.severity < Severity::Note));
         row.findings = found;
         let (model, load) = (own.model(), at.load(&file.scene).unwrap_or_default());
         if row.cells.iter().all(Result::is_err) {

@@ -239,7 +239,7 @@ impl Desk {
             "load": load,
             "rows": rows.iter().map(shown).collect::<Value>(),
             "answer": answer,
-            "findings": labels::findings(&findings, file.converted()),
+            "findings": labels::findings(&findings),
         }))
     }
 }
@@ -409,7 +409,7 @@ mod tests {
         for name in ["a.txt", "b.txt"] {
             desk.hand(name, b"1 2".to_vec());
         }
-        let text = "[surface]\nfiles = [\"b.txt\"]\n";
+        let text = "[surface]\nfile = \"b.txt\"\n";
         call(&mut desk, json!({ "call": "show", "text": text }));
         assert_eq!((desk.file("a.txt"), desk.file("b.txt")), (None, Some(&b"1 2"[..])));
     }

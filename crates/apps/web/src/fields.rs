@@ -61,10 +61,7 @@ pub(crate) fn is_scene(text: &str) -> bool {
 pub(crate) fn files(text: &str) -> Vec<String> {
     let mut found = vec![];
     each_value(text, |path, value| {
-        let one = value.as_str().filter(|_| path.ends_with(".file"));
-        let several = value.as_array().filter(|_| path.ends_with(".files"));
-        let several = several.into_iter().flatten().filter_map(Value::as_str);
-        found.extend(one.into_iter().chain(several).map(String::from));
+        found.extend(value.as_str().filter(|_| path.ends_with(".file")).map(String::from));
     });
     asperity_answer::once(&found)
 }
@@ -319,9 +316,9 @@ mod tests {
 
     #[test]
     fn the_files_of_a_text_are_found_wherever_they_are_named() {
-        let text = "[surface]\nfiles = [\"a.x3p\", \"b.x3p\"]\n\
+        let text = "[surface]\nfile = \"a.x3p\"\n\
                     counterface = { file = \"c.sur\" }\nheights = { file = \"d.csv\" }\n";
-        assert_eq!(files(text), ["a.x3p", "b.x3p", "c.sur", "d.csv"]);
+        assert_eq!(files(text), ["a.x3p", "c.sur", "d.csv"]);
         assert!(files(TEXT).is_empty() && files("file = ").is_empty());
     }
 

@@ -2,7 +2,7 @@
 //! with these.
 
 use asperity::recommended::YIELDING;
-use asperity::{Advice, Code, Described, Finding, Findings, Model, Quantity, Severity};
+use asperity::{Advice, Code, Described, Finding, Findings, Model, Quantity};
 use serde_json::{Value, json};
 
 /// Labels of keys whose words do not give them.
@@ -125,14 +125,10 @@ pub(crate) fn finding(found: &Finding, merge: bool) -> Value {
     })
 }
 
-/// All findings as shown, with the numbers that were converted.
-pub(crate) fn findings(all: &Findings, converted: &[(String, String)]) -> Value {
+/// All findings as shown.
+pub(crate) fn findings(all: &Findings) -> Value {
     let merge = all.iter().any(|found| found.code == Code::Crowded);
-    let converted = converted.iter().map(|(key, text)| {
-        let message = format!("{}: {text}", term(key));
-        json!({ "code": "", "severity": Severity::Note, "field": key, "message": message })
-    });
-    all.iter().map(|found| finding(found, merge)).chain(converted).collect()
+    all.iter().map(|found| finding(found, merge)).collect()
 }
 
 #[cfg(test)]

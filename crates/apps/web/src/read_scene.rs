@@ -36,7 +36,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
             let findings = file.accepted(findings);
             // Values follow from a number that cannot be meant.
             found["implausible"] = findings.are_implausible().into();
-            found["findings"] = labels::findings(&findings, file.converted());
+            found["findings"] = labels::findings(&findings);
             found["models"] = models(&file);
             // Of a csv of model, load, pressure and cells.
             found["head"] = answer::head(&columns, !file.unknowns().is_empty()).into();
@@ -85,9 +85,8 @@ fn models(file: &SceneFile) -> Value {
 pub(crate) fn material(material: &Material) -> Value {
     let body = &material.body;
     let number = |field: &Field<Body>| {
-        let Key { symbol, unit, .. } = Key::find("body", field.name)?;
-        let value = (field.get)(body)?;
-        Some(format!("{symbol} {}", shown(value, &unit.replace("ohm", "Ω"))))
+        let unit = Key::find("body", field.name)?.unit.replace("ohm", "Ω");
+        Some(format!("{} {}", term(field.name), shown((field.get)(body)?, &unit)))
     };
     let shown = BODY.iter().filter_map(number).collect::<Vec<_>>().join(", ");
     let Material { id, name, source, .. } = material;
@@ -128,10 +127,8 @@ mod tests {
         let all: Vec<_> = asperity_scene::materials().iter().map(material).collect();
         assert!(all.len() >= 25);
         let text = |one: &Value, key: &str| one[key].as_str().unwrap().to_string();
-        assert!(
-            all.iter()
-                .all(|one| text(one, "shown").starts_with("E ") && !text(one, "source").is_empty())
-        );
+        assert!(all.iter().all(|one| text(one, "shown").starts_with("Young's modulus ")
+            && !text(one, "source").is_empty()));
         let copper = all.iter().find(|one| one["id"] == "copper-hot-rolled").unwrap();
         assert!(text(copper, "shown").contains("539.4 MPa"), "{copper}");
     }

@@ -1,7 +1,7 @@
 //! The loads of the slider and of the pictures.
 
 use asperity::At;
-use asperity_scene::{Hertz, NO_LOAD, SceneFile, Shape, converted, notation_hint, quantity};
+use asperity_scene::{Hertz, NO_LOAD, SceneFile, Shape, notation_hint, quantity};
 use serde::{Deserialize, Serialize};
 
 use crate::refusal::Refusal;
@@ -171,9 +171,6 @@ impl Load {
             _ if span.is_flat => (At::Load(newtons), shown(pascals, PASCAL)),
             _ => (At::Load(newtons), "on curved bodies".into()),
         };
-        // What a load in psi or lbf was taken as.
-        let taken = converted(&text, "", unit).map(|same| format!("= {same}; "));
-        let other = taken.unwrap_or_default() + &other;
         let place = (1.0 + (pascals / span.high).log10() / DECADES).clamp(0.0, 1.0);
         let position = if pascals > 0.0 { place } else { 0.0 };
         Ok(Self { at, text, unit, newtons, pascals, other, position })
@@ -212,9 +209,9 @@ mod tests {
         assert_eq!(of(&keys("2e6", None, "Pa")).text, "2e6 Pa");
         assert_eq!(of(&keys("2e6 Pa", None, "N")).at, At::Pressure(2e6));
         for (text, pascals, other) in [
-            ("5 kN/cm2", 50e6, "= 50 MPa; 5 kN"),
-            ("36 ksi", 248.211e6, "= 248.2 MPa; 24.82 kN"),
-            ("9 lbf", 400_340.0, "= 40.03 N; 400.3 kPa"),
+            ("5 kN/cm2", 50e6, "5 kN"),
+            ("36 ksi", 248.211e6, "24.82 kN"),
+            ("9 lbf", 400_340.0, "400.3 kPa"),
         ] {
             for unit in ["N", "Pa"] {
                 let found = of(&keys(text, None, unit));

@@ -141,14 +141,6 @@ pub enum ContactError {
         /// η A_n times the law's value unit, or that over σ_z for slopes, in SI units.
         scale: f64,
     },
-    /// The interference unit of a law differs too much from the spread of the heights.
-    #[error(
-        "the law's interference unit over asperity_height_std is {ratio:e}: 1e-100 to 1e100 was required"
-    )]
-    Ratio {
-        /// The unit over σ_z.
-        ratio: f64,
-    },
     /// No separation carries this load or holds this tension.
     #[error("load is {} N{}", written(*.load), reach(*.load, *.largest, *.at))]
     OutOfReach {

@@ -59,7 +59,6 @@ pub use request::{Request, linspace};
 pub use response::evaluation::{Evaluation, Share};
 pub use response::fill::FillReport;
 pub use response::plan::{Plan, PlannedPart, Step};
-pub use response::row_check::RowCheck;
 pub use response::{Column, Response};
 pub use scene::asperity::Asperity;
 pub use scene::hardness::{hardness_of_vickers, vickers_of_brinell, vickers_of_rockwell_c};
@@ -69,4 +68,4 @@ pub use scene::surface::{ProfileMoments, Surface};
 pub use scene::{ATOMIC_DISTANCE, Scene};
 pub use text::{nearest_hint, nearest_name, short, shortest_digits, written};
 #[doc(hidden)]
-pub use units::{OTHER_UNITS, UNITS, Units, plain_unit, units_of};
+pub use units::{Units, plain_unit, units, units_of};

@@ -143,7 +143,7 @@ fn short(number: f64, decimals: usize) -> String {
 
 /// The head of the evidence.
 fn head() -> String {
-    let mut head: Vec<String> = Evidence::COLUMNS.map(Into::into).to_vec();
+    let mut head: Vec<String> = Evidence::COLUMNS.split(',').map(Into::into).collect();
     for model in models() {
         head.extend(
             ["", "_stiffness", "_unloading", "_gap"].map(|end| format!("{}{end}", model.id())),

@@ -139,7 +139,7 @@ mod tests {
         let alpha = surface.moments().bandwidth();
         let text = format!(
             "{},ke,a,b,c\n{alpha},0,1,2,{load},4,200,{plastic},{bem},0,1,0,1,0,1,0,500,,,\n",
-            Evidence::COLUMNS.join(",")
+            Evidence::COLUMNS
         );
         let evidence = Evidence::parse(&text)?;
         let cases: Vec<&EvidenceCase> = evidence.cases().iter().collect();

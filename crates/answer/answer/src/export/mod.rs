@@ -13,7 +13,7 @@ mod units;
 
 use std::str::FromStr;
 
-use asperity::{At, Code, Quantity, Separation, SeparationUnit};
+use asperity::{At, Code, Separation, SeparationUnit};
 
 use crate::subject::Subject;
 use crate::{AnswerError, Sheet, Watch};
@@ -195,8 +195,6 @@ impl Export<'_> {
         }
         let mut text = table.text(self)?;
         if let Some(against) = self.conductance {
-            let asked = [Quantity::ThermalConductancePerArea];
-            sheet.extend(self.subject.file.conduction_findings(&asked));
             text += &table.conductance_text(self, against).map_err(of_model)?;
         }
         if let Some(friction) = self.friction {

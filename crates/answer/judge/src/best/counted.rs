@@ -7,6 +7,7 @@ use asperity_core::{At, Contact, ContactError, Quantity, Request, Scene};
 
 /// Counts the asperities in contact at a load. Counts of models differ, by orders of magnitude with
 /// rough asperities on asperities, and the scatter of a surface does not depend on the model.
+#[derive(Debug)]
 pub(crate) struct Counted(Option<Box<dyn Contact>>);
 
 impl Counted {
@@ -21,11 +22,5 @@ impl Counted {
     pub(crate) fn at(&self, pressure: f64) -> Option<f64> {
         let found = self.0.as_ref()?.evaluate(Quantity::Contacts, At::Pressure(pressure));
         Some(found.ok()?.value())
-    }
-}
-
-impl std::fmt::Debug for Counted {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_tuple("Counted").finish_non_exhaustive()
     }
 }

@@ -46,7 +46,7 @@ impl Evidence {
     /// Columns of the cases and of boundary elements: means over the surfaces and their standard
     /// errors. Stiffnesses -dp/d(gap) are in units of E/√m₀, mean gaps in √m₀: distances of the
     /// mean planes, as the separations of models are, with the gaps of plastic pixels below 0.
-    pub const COLUMNS: [&'static str; 16] = csv::COLUMNS;
+    pub const COLUMNS: &'static str = csv::COLUMNS;
 
     /// Hurst exponent of the spectra of the solved surfaces.
     pub const HURST: f64 = 0.8;
@@ -57,7 +57,10 @@ impl Evidence {
     /// The number of a model in the table, from a result of it and of boundary elements.
     #[must_use]
     pub fn relative(quantity: Compared, model: f64, bem: f64) -> f64 {
-        csv::relative(quantity, model, bem)
+        match quantity {
+            Compared::MeanGap => (model - bem) / csv::UNIT,
+            _ => model / bem / csv::UNIT,
+        }
     }
 
     /// The committed evidence.

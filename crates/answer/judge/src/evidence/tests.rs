@@ -39,7 +39,7 @@ fn the_committed_table_is_complete() {
 fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
     let evidence = Evidence::committed().unwrap();
     let cut = |line: &str| {
-        let own: Vec<&str> = line.split(',').take(Evidence::COLUMNS.len()).collect();
+        let own: Vec<&str> = line.split(',').take(16).collect();
         own.join(",")
     };
     let bare: Vec<String> = Evidence::CSV.lines().map(cut).collect();

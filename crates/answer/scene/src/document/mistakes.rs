@@ -24,9 +24,6 @@ impl Document<'_> {
             }
             "f64" => format!("a number ({meaning})"),
             "a boolean" => "true or false".into(),
-            "a sequence" if path == "body" => {
-                format!("a list ({meaning}), each written [[body]],")
-            }
             "a sequence" => format!("a list ({meaning})"),
             "path string" => format!("the path of a file, in quotes ({meaning}),"),
             "string only" => "a name in quotes".into(),
@@ -44,21 +41,11 @@ impl Document<'_> {
     pub(super) fn unknown(&self, path: &str, keys: &[&str]) -> SceneError {
         let (section, name) = section_and_name(path);
         let mut allowed = format!("the keys here are {}", keys.join(", "));
-        let mut elsewhere = Key::find(section, name);
-        let mut near = match elsewhere {
+        let elsewhere = Key::find(section, name);
+        let near = match elsewhere {
             None => nearest_name(name, keys.iter().copied()),
             Some(_) => None,
         };
-        if let Some((other, difference)) = Key::synonym(name) {
-            near = Some(other);
-            // A single body has no work of adhesion.
-            elsewhere = Key::find("", other).filter(|_| !keys.contains(&other));
-            allowed = format!("{difference}{allowed}");
-        }
-        if section == "interface" && name.starts_with("body") {
-            near = None;
-            allowed = "write [[body]] twice instead of [interface], once for each body".into();
-        }
         if let Some(key) = elsewhere {
             allowed = format!("it belongs to {}; {allowed}", key.home());
         }

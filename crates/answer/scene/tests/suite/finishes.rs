@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::{ContactModel, Finding, Quantity, Request};
+use asperity::{ContactModel, Quantity, Request};
 use asperity_scene::{SceneError, SceneFile, Unknown, parse};
 
 use crate::two_surfaces::HEAD;
@@ -244,35 +244,6 @@ fn one_end_of_every_range_is_taken_and_the_keys_are_written_again() {
     assert!(index.ends.is_some_and(|[lower, upper]| upper > 4.0 * lower));
 }
 
-#[test]
-fn odd_numbers_have_a_warning() {
-    let odd = |surface: &str| {
-        let file = scene(surface);
-        let all = file.warnings.iter().cloned().chain(file.findings());
-        let of_numbers =
-            |found: &Finding| found.code != "smooth-counterface" && found.code != "not-gaussian";
-        all.filter(of_numbers).count() > 0
-    };
-    let turned = "finish = \"turned\"\nfeed = \"0.2 mm\"\nnose_radius = \"0.8 mm\"";
-    for (surface, wanted) in [
-        ("ra = \"0.8 um\"\nfinish = \"ground\"", false),
-        // The slope in metres, and the default of a program that is far too steep.
-        ("ra = \"0.8 um\"\nfinish = \"ground\"\nmean_slope = 7e-6", true),
-        ("rq = \"1 um\"\nmean_slope = 0.4", true),
-        ("ra = \"1 um\"\nrq = \"1.11 um\"\nfinish = \"ground\"", true),
-        // Rz is compared with Rq, also where its range follows from Ra.
-        ("ra = \"1 um\"\nrz = \"1 um\"\nfinish = \"ground\"", true),
-        ("ra = \"1 um\"\nrz = \"6 um\"\nfinish = \"ground\"", false),
-        // The cusps of this tool have Ra = 0.2²/(31.18 0.8) mm = 1.604 um and a slope of 0.0625.
-        (&format!("ra = \"0.8 um\"\n{turned}"), true),
-        (&format!("ra = \"1.7 um\"\n{turned}"), false),
-    ] {
-        assert_eq!(odd(surface), wanted, "{surface}");
-    }
-    let [_, slope, _] = ranges(&scene(&format!("ra = \"1.6 um\"\n{turned}")));
-    near(slope[0], 0.0625 * (1.01f64 / 2.0).sqrt(), 1e-9);
-}
-
 const INTERFACE: &str = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
     poissons_ratio = 0.3\nhardness = 2e9\n";
 const MOMENTS: &str = "[surface]\nm0 = 1e-12\nm2 = 1e-4\nm4 = 5e4\n";
@@ -399,18 +370,6 @@ fn the_other_surface_of_a_finish_is_said_or_warned_of() {
     let text = format!("{}{ground}\ncounterface = \"rough\"\n", HEAD.replace("1e-8", "1e-4"));
     let error = parse(&text, Path::new(".")).unwrap_err();
     assert_eq!(error.place().unwrap().field, "surface.counterface");
-}
-
-#[test]
-fn a_finish_with_skewed_heights_has_a_note() {
-    let is_noted =
-        |surface: &str| scene(surface).warnings.iter().any(|found| found.code == "not-gaussian");
-    assert!(
-        is_noted("ra = 4e-7\nfinish = \"honed\"") && !is_noted("ra = 4e-7\nfinish = \"ground\"")
-    );
-    let skewed = "ra = 4e-7\nfinish = \"honed\"\nheights = { skewness = [-1, -0.5] }";
-    assert!(!is_noted(skewed));
-    assert!(scene(skewed).unknowns().iter().any(|one| one.name == "skewness"));
 }
 
 /// A surface by a finish whose height is a range: the range of the finish is that at each height.

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use asperity_scene::{parse, template, write_heights};
+use asperity_scene::{parse, template};
 use proptest::prelude::*;
 
 fn refused(text: &str) -> String {
@@ -64,24 +64,6 @@ proptest! {
         if let Err(error) = parse(&text.iter().collect::<String>(), Path::new(".")) {
             prop_assert!(error.to_string().contains("line "), "{error}");
         }
-    }
-
-    #[test]
-    fn a_damaged_table_of_heights_is_refused_or_kept(at in 0usize..70, cut in 0usize..20, put in "[-+0-9.eE,\n ]{0,6}") {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("pdf.csv");
-        let text = template().replace("heights = \"gaussian\"", "heights = { file = \"pdf.csv\" }");
-        let mut table: Vec<char> = "height_m,density_per_m\n0,1\n1e-6,1\n1e-6,3\n2e-6,2\n2e-6,0.5\n3e-6,0.5".chars().collect();
-        let at = at.min(table.len());
-        table.splice(at..(at + cut).min(table.len()), put.chars());
-        std::fs::write(&path, table.iter().collect::<String>()).unwrap();
-        let Ok(file) = parse(&text, folder.path()) else { return Ok(()) };
-        let table = file.table().unwrap();
-        prop_assert!(table.standard_deviation() > 0.0 && table.mean().is_finite());
-        std::fs::write(&path, write_heights(table.points())).unwrap();
-        let again = parse(&text, folder.path()).unwrap();
-        let again = again.table().unwrap();
-        prop_assert_eq!(again.points(), table.points());
     }
 }
 

@@ -3,7 +3,6 @@
 
 mod examples;
 mod finishes;
-mod height_files;
 mod hostile;
 mod lay;
 mod measured;

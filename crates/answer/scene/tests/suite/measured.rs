@@ -82,7 +82,7 @@ fn files_give_the_surfaces_of_the_topography_crate() {
     let one = scene(&directory, "file = \"a.txt\"").unwrap();
     assert_eq!(one.scene.surface, a.surface().unwrap());
     assert!(one.warnings.len() == a.warnings.len());
-    let both = scene(&directory, "files = [\"a.txt\", \"b.txt\"]").unwrap();
+    let both = scene(&directory, "file = \"a.txt\"\ncounterface = { file = \"b.txt\" }").unwrap();
     assert_eq!(both.scene.surface, Statistics::combined(&a, &b).unwrap().surface().unwrap());
 
     let bare = scene(&directory, "file = \"bare.txt\"").unwrap_err();

@@ -18,10 +18,10 @@ fn errors_of_files_name_the_file() {
         let path = directory.join(name);
         std::fs::write(&path, bytes).unwrap();
         let refused = load(&path).unwrap_err();
-        assert!(matches!(refused, SceneError::Unreadable { .. }), "{refused}");
+        assert!(matches!(refused, SceneError::Refused { .. }), "{refused}");
         assert!(refused.to_string().contains(name), "{refused}");
     }
     for path in [&*directory, Path::new("absent.toml")] {
-        assert!(matches!(load(path), Err(SceneError::Unreadable { .. })));
+        assert!(matches!(load(path), Err(SceneError::Refused { .. })));
     }
 }

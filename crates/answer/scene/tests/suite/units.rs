@@ -101,11 +101,9 @@ asperity_height_std = \"1 um\"";
 #[test]
 fn a_unit_that_was_given_is_never_reinterpreted() {
     assert!(findings(STEEL, "1e-4", GROUND).is_empty());
-    for (body, surface) in [
-        ("youngs_modulus = \"210 MPa\"", GROUND),
-        (STEEL, &*GROUND.replace("50 um", "50 m")),
-        (&*format!("{STEEL}\nhardness = \"200 MPa\""), GROUND),
-    ] {
+    for (body, surface) in
+        [("youngs_modulus = \"210 kPa\"", GROUND), (STEEL, &*GROUND.replace("50 um", "50 m"))]
+    {
         let odd = findings(body, "1e-4", surface).into_vec();
         assert!(!odd.is_empty() && odd.iter().all(|one| one.likely_unit.is_none()), "{odd:?}");
     }
@@ -119,12 +117,10 @@ fn a_unit_that_was_given_is_never_reinterpreted() {
 }
 
 #[test]
-fn units_that_are_not_decimal_are_taken_with_a_note_at_their_key() {
+fn units_that_are_not_decimal_are_taken() {
     let scene = text("", &INTERFACE.replace("1.12e9", "\"200 HV\""), SURFACE);
     let file = read(&scene.replace("3e-5", "\"1 in2\"")).unwrap();
     assert!((file.scene.nominal_area - 645.16e-6).abs() < 1e-12);
     let hardness = file.scene.interface.hardness.unwrap();
     assert!((hardness / 2.1153e9 - 1.0).abs() < 1e-4, "{hardness}");
-    let keys: Vec<&str> = file.converted().iter().map(|(key, _)| &**key).collect();
-    assert_eq!(keys, ["interface.hardness", "nominal_area"]);
 }

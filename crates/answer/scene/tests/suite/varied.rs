@@ -12,14 +12,13 @@ use asperity_scene::{
 type Section = (&'static str, Vec<(&'static str, f64)>);
 
 /// Every way to describe a surface by numbers; with `ra`, the finish is ground.
-const WAYS: [&[(&str, f64)]; 11] = [
+const WAYS: [&[(&str, f64)]; 10] = [
     &[("asperity_radius", 2e-4), ("asperity_density", 2e8), ("asperity_height_std", 1e-6)],
     &[("plasticity_index", 2.0), ("roughness_parameter", 0.04), ("asperity_height_std", 1e-6)],
     &[("asperity_radius", 2e-4), ("asperity_density", 2e8), ("surface_height_std", 1.1e-6)],
     &[("surface_height_std", 1.1e-6), ("mean_slope", 0.03), ("asperity_density", 2e8)],
     &[("m0", 1e-12), ("m2", 1e-4), ("m4", 5e4)],
     &[("sq", 1.1e-6), ("spd", 2e8), ("spc", 5e3)],
-    &[("sq", 1.1e-6), ("spd", 2e8), ("sdq", 0.058)],
     &[("rq", 1.1e-6), ("rdq", 0.06), ("bandwidth", 8.0)],
     &[("rz", 5e-6), ("rsm", 1.2e-4), ("lambda_c", 8e-4), ("lambda_s", 2.5e-6)],
     &[("ra", 8e-7)],
@@ -38,7 +37,7 @@ const CURVED: [&[(&str, f64)]; 6] = [
 ];
 
 /// Numbers of keys that are not written.
-const OTHERS: [(&str, f64); 22] = [
+const OTHERS: [(&str, f64); 20] = [
     ("reference_length", 0.2),
     ("radius_y", 0.5),
     ("yield_strength", 6e8),
@@ -59,8 +58,6 @@ const OTHERS: [(&str, f64); 22] = [
     ("bandwidth", 9.0),
     ("lambda_c", 8e-4),
     ("lambda_s", 2.5e-6),
-    ("feed", 1e-4),
-    ("nose_radius", 8e-4),
 ];
 
 fn text(sections: &[Section], more: &str) -> String {

@@ -23,22 +23,21 @@ yield_strength = \"400 MPa\"
 ";
 
 /// The error of a scene, or its warnings and findings; `a.txt` has 16 x 16 points, `few.txt` 4 x 4.
-fn of_scene(scene: &str, heights: &str) -> Vec<String> {
+fn of_scene(scene: &str) -> Vec<String> {
     let rows = |count: usize| {
         let row = |y: usize| (0..count).map(move |x| ((7 * x + 11 * y) % 13).to_string());
         (0..count).map(|y| row(y).collect::<Vec<_>>().join(" ") + "\n").collect::<String>()
     };
     let scan = format!("# Width: 16 um\n# Height: 16 um\n# Value units: nm\n{}", rows(16));
     let files = [("a.txt", scan), ("few.txt", rows(4)), ("empty.txt", String::new())];
-    let files = files.into_iter().chain([("pdf.csv", heights.to_string())]);
+    let files = files.into_iter();
     let files: HandedFiles =
         files.map(|(name, text)| (name.to_string(), text.into_bytes())).collect();
     match parse_handed(scene, &files) {
         Ok(file) => {
-            let converted = file.converted().iter().map(|(key, text)| format!("{key}: {text}"));
             let all = file.warnings.iter().cloned().chain(file.findings());
             let mut said: Vec<String> = vec![];
-            for line in converted.chain(all.map(|found| found.to_string())) {
+            for line in all.map(|found| found.to_string()) {
                 if !said.contains(&line) {
                     said.push(line);
                 }
@@ -79,18 +78,9 @@ fn said(topic: &str, input: &str) -> Vec<String> {
             let file = asperity_scene::parse(template(), Path::new(".")).unwrap();
             return vec![file.inputs(input.split(", ")).unwrap_err().to_string()];
         }
-        _ => {
-            let (_, how) = topic.split_once("tables of heights").unwrap();
-            let std = if how.contains("metres") { "1" } else { "1e-6" };
-            let from =
-                if how.contains("plane") { "separation_from = \"surface-mean\"\n" } else { "" };
-            let surface = SURFACE.replace("1e-6", std);
-            let surface = format!("{surface}heights = {{ file = \"pdf.csv\" }}\n{from}");
-            let end = if input.is_empty() { "" } else { "\n" };
-            return of_scene(&text("", INTERFACE, &surface), &format!("{input}{end}"));
-        }
+        other => panic!("no topic {other}"),
     };
-    of_scene(&scene, "")
+    of_scene(&scene)
 }
 
 #[test]

@@ -75,8 +75,6 @@ fn every_alternative_of_the_template_is_read_and_written() {
         let chosen = lines[place(from)..place(to)].iter().map(|line| line.trim_start_matches("# "));
         chosen
             .filter(|line| line.contains(" = ") || line.starts_with('['))
-            // Instead of spc.
-            .filter(|line| !line.starts_with("sdq"))
             .map(|l| format!("{l}\n"))
             .collect::<String>()
     };
@@ -94,7 +92,7 @@ fn every_alternative_of_the_template_is_read_and_written() {
     let (index, moments) =
         (block("# plasticity_index", "# 3. spectral"), block("# m0 =", "# 4. parameters"));
     let iso = block("# sq =", "# 5. roughness");
-    let finish = block("# ra =", "# feed =");
+    let finish = block("# ra =", "# bandwidth =");
     let surface = block("asperity_radius", "# surface_height_std");
     let options = template().split_once("[options]").unwrap().1;
     let options = format!("[options]{options}");
@@ -102,9 +100,9 @@ fn every_alternative_of_the_template_is_read_and_written() {
         (&bodies, &surface, "[[body]]"),
         (&material, &surface, "material = \"steel-100cr6\""),
         (&interface, &surface, "[interface]"),
-        (&bodies, &index, "plasticity_index = 2e0"),
-        (&interface, &moments, "m4 = 5e4"),
-        (&bodies, &iso, "spc = 5e3"),
+        (&bodies, &index, "plasticity_index = 2.0"),
+        (&interface, &moments, "m4 = 50000.0"),
+        (&bodies, &iso, "spc = 5000.0"),
         (&bodies, &finish, "finish = \"ground\""),
     ] {
         let file = read(&format!("nominal_area = 1e-4\n{interface}[surface]\n{surface}{options}"));
@@ -130,7 +128,8 @@ fn every_key_of_the_top_and_of_the_surface_is_written_again() {
     write_scan(&folder.path().join("scan.txt"), &heights, 48);
     let head = format!("work_of_adhesion = 0.05\n{HEAD}");
     let scan = "file = \"scan.txt\"\nunit = \"m\"\npixel_size = [1e-6, 1.5e-6]\n";
-    let two = scan.replace("file = \"scan.txt\"", "files = [\"scan.txt\", \"scan.txt\"]");
+    let second = scan.trim_end().replace('\n', ", ");
+    let two = format!("{scan}counterface = {{ {second} }}\n");
     let asperities = "asperity_radius = \"0.2 mm\"\nasperity_density = 2e8\n";
     for surface in [
         &format!("{scan}level = \"quadratic\"\nfilter = \"20 um\"\nsmooth = 4e-6"),
@@ -157,7 +156,9 @@ fn every_key_of_the_top_and_of_the_surface_is_written_again() {
             names
         };
         let (mut given, written) = (names(&format!("{head}{surface}")), names(&text));
-        given.retain(|name| written.contains(name) || name != "heights");
+        given.retain(|name| {
+            written.contains(name) || !["heights", "counterface"].contains(&&**name)
+        });
         for name in &given {
             assert!(written.contains(name), "{name} is lost\n{text}");
         }
@@ -201,7 +202,7 @@ fn a_table_of_heights_is_in_the_text() {
     };
     // Without its points the density cannot be written.
     let unwritable = |refused: SceneError| match refused {
-        SceneError::Unwritable { at, .. } => at.field,
+        SceneError::Refused { at, .. } => at.field,
         other => panic!("{other}"),
     };
     let other = with(HeightDistribution::other(table.clone()).into());

@@ -8,7 +8,7 @@ use asperity_answer::check_sheet;
 use clap::Args;
 
 use crate::input::args::{OutputArgs, model_id};
-use crate::input::distances::{Length, warn_unit};
+use crate::input::distances::Length;
 use crate::input::numbers::{load_or_tension, pressure_or_tension};
 use crate::output;
 use crate::output::table::Format;
@@ -42,11 +42,8 @@ pub struct Check {
 impl Check {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::open(&self.scene)?;
-        let separation = |distance: Length<f64>| {
-            let height_std = scene.file.scene.surface.asperity_height_std;
-            warn_unit("separation", &[distance.value], distance.unit, height_std);
-            At::from(scene.file.separation(distance.value, distance.unit))
-        };
+        let separation =
+            |distance: Length<f64>| At::from(scene.file.separation(distance.value, distance.unit));
         let place = self.load.map(At::Load).or(self.pressure.map(At::Pressure));
         let place = place.or(self.separation.map(separation));
         // If the model is refused, the findings of the scene give the reason.
@@ -68,8 +65,6 @@ impl Check {
             _ => self.output.write(&sheet)?,
         }
         output::show(&sheet.findings);
-        let converted = scene.file.converted().iter().map(|(key, text)| format!("{key}: {text}"));
-        output::print_results(&converted.collect::<Vec<_>>());
         refused.map_or(Ok(()), Err)
     }
 }

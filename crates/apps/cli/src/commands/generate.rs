@@ -63,9 +63,6 @@ pub struct Generate {
     output: PathBuf,
 }
 
-/// A wider pixel \[m\] is probably given in another unit.
-const WIDEST: f64 = 1e-3;
-
 impl Generate {
     pub fn run(self) -> Result<()> {
         let surface = valid("generate", self.surface());
@@ -74,14 +71,6 @@ impl Generate {
         let side = (columns as f64 * dx).max(rows as f64 * dy);
         let gradient = (2.0 * surface.moments().m2).sqrt();
         let odd = [
-            (
-                Code::LikelyUnit,
-                dx > WIDEST,
-                format!(
-                    "--pixel is {} m; write lengths with their unit, for example 0.25um",
-                    rounded(dx)
-                ),
-            ),
             (
                 Code::UnusualSize,
                 gradient > 1.0,

@@ -11,7 +11,6 @@ mod generate;
 mod init;
 mod joint;
 mod list;
-mod manual;
 mod pull_off;
 mod scales;
 mod surface;
@@ -32,7 +31,6 @@ pub enum Command {
     Joint(joint::Joint),
     Bem(bem::BemCommand),
     Export(export::ExportCommand),
-    Manual(manual::Manual),
 }
 
 impl Command {
@@ -49,7 +47,6 @@ impl Command {
             Self::Joint(command) => command.run(),
             Self::Bem(command) => command.run(),
             Self::Export(command) => command.run(),
-            Self::Manual(command) => command.run(),
         }
     }
 }

@@ -22,7 +22,7 @@ pub struct Scales {
     /// Tabulate the asperities, and results of a scene, against the short-wavelength cut-off: N
     /// cut-offs from A to B, in m, or with a unit
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(length))]
-    #[arg(conflicts_with_all = ["smooth", "scene", "heights"])]
+    #[arg(conflicts_with_all = ["smooth", "scene"])]
     scales: Option<Numbers>,
     /// With --scales: a scene whose materials and nominal area are used with each surface
     #[arg(long, value_name = "SCENE", requires = "scales", requires = "place")]

@@ -91,9 +91,6 @@ pub struct Surface {
     /// them; an existing file is kept
     #[arg(long, value_name = "OUT.toml")]
     scene: Option<PathBuf>,
-    /// Write the measured density of the summit heights, which the scene then uses
-    #[arg(long, value_name = "OUT.csv")]
-    heights: Option<PathBuf>,
     #[command(flatten)]
     scales: Scales,
 }
@@ -154,7 +151,7 @@ impl Surface {
             return self.output.write(&table, || scales::picture(&table));
         }
         let (mut each, mut found) = (vec![], Findings::default());
-        let (mut density, mut glance, mut picture) = (None, None, None);
+        let (mut glance, mut picture) = (None, None);
         let mut functional = vec![];
         let scans = self.scans(&keys)?;
         for (name, raw, surface) in &scans {
@@ -168,10 +165,6 @@ impl Surface {
             let of_scan = seam.chain(size).chain(statistics.warnings.iter().cloned());
             found.extend(of_scan.map(|found| found.from_origin(of())));
             each.push(statistics);
-            if self.heights.is_some() {
-                let found = surface.summits().and_then(|summits| summits.height_density());
-                density = Some(found.with_context(of)?);
-            }
             if scans.len() == 1 {
                 let level = self.level.unwrap_or(Level::usual(self.periodic));
                 let cutoffs = [self.smooth, self.filter];
@@ -198,11 +191,6 @@ impl Surface {
         drop(working);
         output::show(&found);
         let statistics = each.last().context("a file was required")?;
-        if let (Some(path), Some(density)) = (&self.heights, density) {
-            let points = density.heights_m.into_iter().zip(density.density_per_m);
-            let text = asperity_scene::write_heights(&points.collect::<Vec<_>>());
-            output::write_text(Some(path), &text)?;
-        }
         if let Some(path) = &self.scene {
             output::write_text(Some(path), &self.scene_text(path, statistics)?)?;
             let text = "materials and nominal area are examples (steel on steel); replace them";
@@ -246,10 +234,8 @@ impl Surface {
         let separate = two && self.aligned.is_none();
         let nothing_left =
             self.smooth.zip(self.filter).is_some_and(|(smooth, filter)| smooth >= filter);
-        let of_heights = "--heights takes one FILE or --aligned: the height densities of two surfaces do not add";
         let conflicts = [
             (self.aligned.is_some() && !two, "--aligned takes two FILEs"),
-            (self.heights.is_some() && separate, of_heights),
             (self.scales.is_requested() && two, "--scales takes one FILE"),
             (self.report && separate, "--report takes one FILE or --aligned"),
             (self.output.plot.is_some() && separate, "--plot takes one FILE or --aligned"),
@@ -309,10 +295,7 @@ impl Surface {
     /// The template's scene on this surface, with the same reading options.
     fn scene_text(&self, path: &Path, statistics: &Statistics) -> Result<String> {
         let files = self.files.iter().map(|file| beside(path, file).map(Value::from));
-        let mut keys = match &files.collect::<Result<Vec<_>>>()?[..] {
-            [one] => vec![("file", one.clone())],
-            both => vec![("files", both.to_vec().into())],
-        };
+        let files = files.collect::<Result<Vec<_>>>()?;
         let distance = |given: Distance| {
             let text = given.to_string();
             text.parse::<f64>().map_or(Value::from(text), Value::from)
@@ -325,8 +308,6 @@ impl Surface {
             Alignment::AsRead => Value::from(true),
             Alignment::Mirrored => "mirrored".into(),
         };
-        let heights = self.heights.as_deref().map(|file| beside(path, file)).transpose()?;
-        let heights = heights.map(|file| toml::Table::from_iter([("file".into(), file.into())]));
         let usual = ReadOptions::MAX_MISSING;
         let max_missing = Some(self.max_missing).filter(|share| share.total_cmp(&usual).is_ne());
         let texts = |units: &[LengthUnit]| {
@@ -352,10 +333,14 @@ impl Surface {
             ("max_missing", max_missing.map(Value::from)),
             ("fill_missing", true_where(self.fill_missing)),
             ("despike", true_where(self.despike)),
-            ("aligned", self.aligned.map(aligned)),
-            ("heights", heights.map(Value::from)),
         ];
-        keys.extend(given.into_iter().filter_map(|(key, value)| Some((key, value?))));
+        let given = given.into_iter().filter_map(|(key, value)| Some((key, value?)));
+        let mut each =
+            files.into_iter().map(|file| [("file", file)].into_iter().chain(given.clone()));
+        let mut keys: Vec<_> = each.next().into_iter().flatten().collect();
+        let second = each.next().map(|keys| keys.map(|(key, value)| (key.into(), value)));
+        keys.extend(second.map(|keys| ("counterface", toml::Table::from_iter(keys).into())));
+        keys.extend(self.aligned.map(|alignment| ("aligned", aligned(alignment))));
         Ok(asperity_scene::template_on(statistics.surface().ok().as_ref(), &keys))
     }
 }

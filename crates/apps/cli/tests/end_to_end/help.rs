@@ -44,8 +44,7 @@ fn the_help_lists_every_file_of_commands() {
         let text = std::fs::read_to_string(&path).unwrap();
         let name = path.file_stem().unwrap().to_str().unwrap().replace('_', "-");
         let is_command = text.starts_with(&format!("//! `asperity {name}`"));
-        let hidden = ["manual"];
-        assert!(!is_command || listed.contains(&name) || hidden.contains(&&*name), "{name}");
+        assert!(!is_command || listed.contains(&name), "{name}");
     }
     assert_eq!(listed[0], "init");
 }
@@ -60,27 +59,4 @@ pub fn sh(bench: &Bench, line: &str) -> Run {
     let mut shell = Command::new("sh");
     shell.current_dir(bench.folder()).env("PATH", path.unwrap()).args(["-c", line]);
     Run::of(shell.output().unwrap())
-}
-
-#[test]
-fn the_manual_has_a_page_for_every_command_and_completions_for_three_shells() {
-    let bench = Bench::new();
-    bench.data("manual share");
-    let page = |name: &str| bench.read(&format!("share/man/man1/{name}.1"));
-    assert!(page("asperity").contains(".TH asperity 1"), "{}", page("asperity"));
-    for command in commands(&bench) {
-        let text = page(&format!("asperity-{command}"));
-        assert!(text.contains("\nExamples:\n  asperity "), "{command}: {text}");
-    }
-    for (path, part) in [
-        ("bash-completion/completions/asperity", "complete -F"),
-        ("zsh/site-functions/_asperity", "#compdef asperity"),
-        ("fish/vendor_completions.d/asperity.fish", "complete -c asperity"),
-    ] {
-        let text = bench.read(&format!("share/{path}"));
-        assert!(text.contains(part) && text.contains("answer"), "{path}");
-    }
-    std::fs::write(bench.path("file"), "").unwrap();
-    let refused = bench.run("manual file");
-    assert_eq!(refused.code, Some(1));
 }

@@ -160,7 +160,6 @@ class Surface(Record):
         - ``sq``, ``spd``, ``spc``, which instruments report (ISO 25178): the standard deviation of
           the surface heights [m], the density of peaks [1/m^2] and their mean curvature [1/m]; the
           peaks are the asperities.
-        - ``sq``, ``spd``, ``sdq``: the rms gradient of an isotropic Gaussian surface instead of Spc.
         - ``surface_height_std``, ``mean_slope``, ``asperity_density``: the mean absolute slope of
           profiles of such a surface, which correlations of conductance use.
 
@@ -168,9 +167,6 @@ class Surface(Record):
         >>> surface = asperity.Surface.of(sq="1.1 um", spd="200 1/mm2", spc="5 1/mm")
         >>> surface.asperity_radius, surface.asperity_density
         (0.0002, 200000000.0)
-        >>> smooth = asperity.Surface.of(sq="1 um", spd="4000 1/mm2", sdq=0.18)
-        >>> round(smooth.asperity_radius, 9)
-        1.4451e-05
         """
         return Surface._made(*_asperity.surface_of(numbers, interface))
 

@@ -84,7 +84,6 @@ pub(crate) fn check_rows(asked: &Asked) -> Findings {
         Some(file) => {
             let places = rows.ends().map(|row| rows.at(row));
             let mut found = check_scene(asked.engine(), model, file, places);
-            found.extend(file.conduction_findings(&asked.request.quantities));
             // Of a number with a range, one value is calculated with.
             let taken = file.taken_at("middle").ok().and_then(|(_, note)| note);
             found.extend(taken.map(|note| note.severity(Severity::Warning)));

@@ -30,7 +30,11 @@ impl LawUnits {
             None if SCALES.contains(&scale) && (law.onset * scale).is_finite() => {
                 Ok(Self { factor, scale, onset: Onset(law.onset * scale) })
             }
-            None => Err(ContactError::Ratio { ratio: scale }),
+            None => Err(ContactError::OutOfRange {
+                field: "the law's interference unit over asperity_height_std",
+                value: scale,
+                required: "1e-100 to 1e100",
+            }),
         }
     }
 }

@@ -178,40 +178,15 @@ impl FromStr for Quantity {
     /// Reads the names that [`Display`](fmt::Display) writes, in any case.
     fn from_str(name: &str) -> Result<Self, ContactError> {
         let wanted = name.trim().to_lowercase().replace('_', "-");
-        let names = Self::ALL.map(|quantity| quantity.to_string());
-        let named =
-            |name: &str| Self::ALL.into_iter().zip(&names).find(|(_, known)| *known == name);
-        if let Some((quantity, _)) = named(&wanted) {
-            return Ok(quantity);
-        }
-        let separation = ["separation", "gap", "mean-gap", "distance"];
-        let beside = match separation.iter().any(|word| wanted.starts_with(word)) {
-            true => " (separations come with every answer, unasked)",
-            false => "",
-        };
-        let near = nearest_name(&wanted, names.iter().map(String::as_str)).and_then(named);
-        let near = near.or_else(|| named(synonym(&wanted)?));
-        Err(ContactError::UnknownName {
+        let names = Self::ALL.map(|quantity| quantity.entry().name);
+        let found = Self::ALL.into_iter().zip(names).find(|(_, known)| *known == wanted);
+        found.map(|(quantity, _)| quantity).ok_or_else(|| ContactError::UnknownName {
             what: "quantity",
             name: name.into(),
-            near: near.map(|(quantity, _)| quantity.to_string()),
-            help: format!(": the quantities are {}{beside}", names.join(", ")),
+            near: nearest_name(&wanted, names).map(Into::into),
+            help: format!(": the quantities are {}", names.join(", ")),
         })
     }
-}
-
-/// The quantity of another usual name.
-fn synonym(name: &str) -> Option<&'static str> {
-    Some(match name {
-        "normal-stiffness" | "contact-stiffness" | "interface-stiffness" => "tangent",
-        "shear-stiffness" => "tangential-stiffness",
-        "vibration-stiffness" | "ultrasonic-stiffness" => "unloading-stiffness",
-        "conductance" | "contact-conductance" => "thermal-conductance",
-        "htc" | "tcc" | "hc" => "thermal-conductance-per-area",
-        "load" | "normal-force" => "force",
-        "contact-area" | "real-area" | "real-contact-area" => "area",
-        _ => return None,
-    })
 }
 
 #[cfg(test)]
@@ -244,15 +219,6 @@ mod tests {
         for quantity in Quantity::ALL {
             assert_eq!(quantity.origin().origin(), quantity.origin());
         }
-    }
-
-    #[test]
-    fn a_separation_is_no_quantity_and_comes_unasked() {
-        let refused = |name: &str| name.parse::<Quantity>().unwrap_err().to_string();
-        for name in ["separation", "mean_gap", "Separation_m"] {
-            assert!(refused(name).contains("unasked"), "{name}");
-        }
-        assert!(!refused("forse").contains("unasked"));
     }
 
     #[test]

@@ -3,7 +3,6 @@
 pub(crate) mod evaluation;
 pub(crate) mod fill;
 pub(crate) mod plan;
-pub(crate) mod row_check;
 
 use serde::Serialize;
 
