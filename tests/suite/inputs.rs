@@ -213,14 +213,21 @@ fn unknown_models_are_answered_with_the_nearest_name() {
 }
 
 #[test]
-fn the_printed_sum_gives_its_negative_values() {
+fn the_printed_sum_gives_its_negative_values_with_a_warning() {
     let separations = [0.0, 1.0, 30.0, 2.0];
     let asked = request().at(separations);
     let answer = model("at").solve(&with_index(2.0), &asked).unwrap();
     let forces = answer.values(Quantity::Force).unwrap();
     let negative = forces.iter().filter(|f| **f < 0.0).count();
+    let force = Some(Quantity::Force);
+    let found = answer.warnings.iter().find(|w| w.code == "negative" && w.quantity == force);
+    let found = found.map(|w| (w.model.as_deref().unwrap(), w.count, w.at.unwrap(), w.value));
     // At d = 30 the elastic part outweighs the rest: positive, if tiny.
     assert!(negative == 3 && forces[2] >= 0.0, "{forces:?}");
+    assert!(found == Some(("at", 3, At::sigmas(0.0), forces[0])), "{found:?}");
+    assert_eq!(answer.warnings.len(), 1, "{:?}", answer.warnings);
+    let quiet = model("ke").solve(&with_index(2.0), &asked).unwrap();
+    assert!(quiet.warnings.is_empty());
 }
 
 #[test]

@@ -8,6 +8,8 @@ use crate::sheet::warning;
 use crate::subject::{OfLaws, Subject};
 use crate::{AnswerError, Sheet};
 
+/// The most paths whose work is listed.
+const LISTED: usize = 6;
 /// Points on each path between turning points.
 const STEPS: usize = 50;
 
@@ -74,11 +76,17 @@ fn work(joint: &Joint, path: &Path) -> Option<Result<String, Box<Finding>>> {
     let [first, all] = [closing, closing + later.iter().sum::<f64>()].map(rounded);
     let text = match later.len() {
         0 => format!("closing to the turning point takes {first} J"),
+        1..=LISTED => {
+            let works = later.iter().map(|work| rounded(*work)).collect::<Vec<_>>().join(", ");
+            format!(
+                "first closing takes {first} J, the later paths {works} J (negative: returned), {all} J in total"
+            )
+        }
         count => {
             let least = rounded(later.iter().copied().fold(f64::INFINITY, f64::min));
             let most = rounded(later.iter().copied().fold(f64::NEG_INFINITY, f64::max));
             format!(
-                "first closing takes {first} J, each of the later paths ({count}) from {least} to {most} J (negative: returned), {all} J in total"
+                "first closing takes {first} J, each of the {count} later paths from {least} to {most} J (negative: returned), {all} J in total"
             )
         }
     };

@@ -48,7 +48,7 @@ pub use sealing::sealing;
 pub use several::at_values;
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};
-pub use subject::Subject;
+pub use subject::{Subject, unit_warning};
 pub use truth::{
     ContactState, Truth, Truths, beside_table, compare_with_bem, compared, heads, truth, truth_of,
     uncertain,

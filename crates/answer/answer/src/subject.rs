@@ -7,7 +7,7 @@ use asperity::{
     At, Code, ContactError, Finding, Findings, Model, Scene, Separation, SeparationUnit, Severity,
     Tolerance,
 };
-use asperity_scene::SceneFile;
+use asperity_scene::{SceneFile, mistaken_unit};
 
 use crate::models::grouped;
 use crate::sheet::warning;
@@ -110,4 +110,17 @@ impl Subject<'_> {
         sheet.report(self.file, gain.iter().map(EnergyGain::finding).collect());
         Ok(())
     }
+}
+
+/// A warning of values of an unlikely size, by the largest of them; `name` is their option.
+#[must_use]
+pub fn unit_warning(
+    name: &str,
+    values: &[f64],
+    unit: SeparationUnit,
+    height_std: f64,
+) -> Option<Finding> {
+    let value = values.iter().copied().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+    let remedy = "write lengths with their unit, for example 2um";
+    mistaken_unit(name, value, unit, height_std, remedy)
 }

@@ -6,7 +6,7 @@ use asperity::{At, Code, ContactError, Evaluation, Finding, Scene, SeparationUni
 use crate::blanks::{Blanks, kind};
 use crate::number::rounded;
 use crate::sheet::{note, warning};
-use crate::subject::{OfLaws, Subject};
+use crate::subject::{OfLaws, Subject, unit_warning};
 use crate::{AnswerError, Sheet};
 
 /// Number of default retreats.
@@ -50,7 +50,7 @@ pub fn unloading(
             openings.push(opening);
         }
         let retreats = match retreats {
-            Some(given) => metres(&*subject.scene()?, given),
+            Some(given) => metres(sheet, &*subject.scene()?, given),
             None => match last.ok_or("the end of contact was not found; give --retreat")? {
                 0.0 => vec![0.0],
                 end => linspace(0.0, end, POINTS),
@@ -64,9 +64,10 @@ pub fn unloading(
     })
 }
 
-/// Retreats in metres.
-pub(crate) fn metres(scene: &Scene, (values, unit): Retreats<'_>) -> Vec<f64> {
+/// Retreats in metres, with a warning of those that look like another unit.
+pub(crate) fn metres(sheet: &mut Sheet, scene: &Scene, (values, unit): Retreats<'_>) -> Vec<f64> {
     let sigma = scene.surface.asperity_height_std;
+    sheet.findings.extend(unit_warning("retreat", values, unit, sigma));
     let metres = if unit == SeparationUnit::Sigma { sigma } else { 1.0 };
     values.iter().map(|value| metres * value).collect()
 }

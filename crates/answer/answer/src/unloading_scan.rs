@@ -30,7 +30,7 @@ pub fn unloading_scan(
     sheet.under(&[&heads, &["area_m2", "stiffness_N_per_m"]]);
     subject.fill(sheet, |sheet| {
         let (id, scene) = (subject.id, &subject.file.scene);
-        let retreats = retreats.map(|given| metres(scene, given));
+        let retreats = retreats.map(|given| metres(sheet, scene, given));
         let bem = subject.file.bem()?;
         sheet.findings.extend(bem.note());
         let greatest = load_case(scene, closest)?;

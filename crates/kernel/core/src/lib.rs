@@ -59,6 +59,7 @@ pub use request::{Request, linspace};
 pub use response::evaluation::{Evaluation, Share};
 pub use response::fill::FillReport;
 pub use response::plan::{Plan, PlannedPart, Step};
+pub use response::row_check::RowCheck;
 pub use response::{Column, Response};
 pub use scene::asperity::Asperity;
 pub use scene::hardness::{hardness_of_vickers, vickers_of_brinell, vickers_of_rockwell_c};

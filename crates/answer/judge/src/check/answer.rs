@@ -61,8 +61,10 @@ impl Check {
         };
         let Some(contact) = compiled.as_deref().or(contact) else { return Findings::default() };
         let answer = |at: &At| Self::of_answer(model, contact, *at, false).ok();
-        let found = places.iter().filter_map(answer).flat_map(|check| check.findings);
-        found.collect::<Findings>().by_cause()
+        let found: Findings =
+            places.iter().filter_map(answer).flat_map(|check| check.findings).collect();
+        // The worst of a few extremes: rows are not counted.
+        found.by_cause().into_iter().map(|found| found.in_rows(1)).collect()
     }
 
     /// All numbers if `whole`, otherwise only those with warnings: of models with inclined contacts

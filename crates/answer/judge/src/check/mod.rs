@@ -14,9 +14,9 @@ use std::borrow::Cow;
 use serde::{Serialize, Serializer};
 
 pub use self::usual::unusual;
-use crate::recommended::{DMT, JKR};
+use crate::recommended::{DMT, JKR, JKR_SEPARATION};
 use asperity_core::{
-    ATOMIC_DISTANCE, Code, ContactError, Finding, Findings, HeightDistribution, Scene,
+    ATOMIC_DISTANCE, Code, ContactError, Finding, Findings, HeightDistribution, Scene, short,
 };
 
 /// A number that follows from a scene.
@@ -147,9 +147,25 @@ impl Check {
             check.add_number("hardness_over_modulus", ratio, "", "H/E");
             // Elastic asperities have no critical interference.
             if let (Ok(w), Ok(f)) = (asperity.critical_interference(), asperity.critical_force()) {
-                check.add_number("critical_interference", w, "m", "w_c = (pi S H/(2 E))^2 R");
-                check.add_number("critical_force", f, "N", "F_c = (2/3) pi R w_c S H");
-                let meaning = format!("psi = sqrt(sigma_z/w_c), by Chang, Etsion & Bogy{whose}");
+                let of_radius = match is_of_pair {
+                    true => {
+                        let radius = asperity.radius;
+                        format!(", with R = {radius:.4e} m of contacts between both surfaces")
+                    }
+                    false => String::new(),
+                };
+                let meaning = format!("w_c = (pi S H/(2 E))^2 R{of_radius}");
+                check.add_number("critical_interference", w, "m", meaning);
+                let meaning = format!("F_c = (2/3) pi R w_c S H{of_radius}");
+                check.add_number("critical_force", f, "N", meaning);
+                let own = match is_of_pair {
+                    true => {
+                        let own = scene.asperity()?.critical_interference()?;
+                        format!("{whose}, whose w_c is {own:.4e} m")
+                    }
+                    false => String::new(),
+                };
+                let meaning = format!("psi = sqrt(sigma_z/w_c), by Chang, Etsion & Bogy{own}");
                 check.add_number("plasticity_index", scene.plasticity_index()?, "", meaning);
             }
         }
@@ -185,11 +201,22 @@ impl Check {
         let above = "of the asperities above the mean plane";
         check.add_number("mean_plane_offset", scene.mean_plane_offset(), "m", above);
         if is_of_pair {
-            let sigma = contacts.surface.asperity_height_std;
             for (name, value, meaning) in [
-                ("pair_asperity_height_std", sigma, "of both surfaces, the unit of separations"),
-                ("pair_surface_height_std", contacts.surface_height_std(), "likewise, of films"),
-                ("pair_mean_plane_offset", contacts.mean_plane_offset(), "of both surfaces"),
+                (
+                    "pair_asperity_height_std",
+                    contacts.surface.asperity_height_std,
+                    "sigma_z of both surfaces together, the unit of separations",
+                ),
+                (
+                    "pair_surface_height_std",
+                    contacts.surface_height_std(),
+                    "sigma of both surfaces together, the unit of films",
+                ),
+                (
+                    "pair_mean_plane_offset",
+                    contacts.mean_plane_offset(),
+                    "of the asperities of both surfaces above their mean planes",
+                ),
             ] {
                 check.add_number(name, value, "m", meaning);
             }
@@ -215,6 +242,36 @@ impl Plausible for Scene {
             let atomic = Finding::note(Code::Atomic, "critical_interference", w);
             found.push(atomic.usual([ATOMIC_DISTANCE, f64::INFINITY]).unit("m").advice(advice));
         }
+        found.extend(which_adhesion(self));
         found
     }
+}
+
+/// A note on the models with adhesion that fit a scene.
+fn which_adhesion(scene: &Scene) -> Option<Finding> {
+    let tabor = scene.asperity().ok()?.tabor_parameter().filter(|tabor| *tabor > 0.0)?;
+    let theta = scene.adhesion_parameter()?;
+    let advice = match tabor {
+        t if t <= LEAST_TABOR => format!("use {DMT}"),
+        t if t >= MOST_TABOR => {
+            format!("use {JKR}, or {JKR_SEPARATION} as the surfaces part")
+        }
+        _ => format!(
+            "use {DMT} (for less than {LEAST_TABOR}) and {JKR} (for more than {MOST_TABOR}) as bounds"
+        ),
+    };
+    let (theta, hides) = (short(theta), theta > Scene::HIDES_ADHESION);
+    let limit = Scene::HIDES_ADHESION;
+    let advice = match hides {
+        true => format!(
+            "roughness hides adhesion (adhesion_parameter is {theta}, above {limit}), and models without it hold; to include it, {advice}"
+        ),
+        false => format!(
+            "{advice}; other models ignore work_of_adhesion, which matters here (adhesion_parameter is {theta}, below {limit})"
+        ),
+    };
+    let found =
+        Finding::note(Code::Adhesion, "tabor_parameter", tabor).usual([LEAST_TABOR, MOST_TABOR]);
+    let fact = format!("the Tabor parameter is {}", short(tabor));
+    Some(found.fact(fact).advice(advice))
 }

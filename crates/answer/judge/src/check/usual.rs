@@ -2,10 +2,11 @@
 
 use asperity_core::{
     Code, Finding, Surface, hardness_of_vickers, plain_unit, short, units as known_units,
+    vickers_of_rockwell_c,
 };
 
 /// The advice about an unusual number.
-const CHECK_UNIT: &str = "check the number and its unit";
+pub(super) const CHECK_UNIT: &str = "check the number and its unit";
 
 /// Units that explain no number.
 const RARE: [&str; 4] = ["bar", "cm", "kPa", "pm"];
@@ -68,13 +69,19 @@ const USUAL: [Usual; 26] = [
 /// ```
 #[must_use]
 pub fn unusual(key: &'static str, value: f64) -> Option<Finding> {
-    let (_, usual, typical, si) = *USUAL.iter().find(|(keys, ..)| keys.contains(&key))?;
+    let (_, usual, ..) = USUAL.iter().find(|(keys, ..)| keys.contains(&key))?;
+    outside(key, value, *usual)
+}
+
+/// The same with another usual range.
+pub(super) fn outside(key: &'static str, value: f64, usual: [f64; 2]) -> Option<Finding> {
+    let (.., typical, si) = *USUAL.iter().find(|(keys, ..)| keys.contains(&key))?;
     if within(value, usual) {
         return None;
     }
     let found = Finding::warning(Code::UnusualSize, key, value).usual(usual).unit(si);
     let off = |size: f64| (value * size / typical).ln().abs();
-    let known = units(key, si).into_iter().filter(|(_, size)| within(value * size, usual));
+    let known = units(key, si, value).into_iter().filter(|(_, size)| within(value * size, usual));
     let found = match known.min_by(|one, other| off(one.1).total_cmp(&off(other.1))) {
         Some((unit, size)) => {
             let [given, meant] = [value, value * size].map(short);
@@ -88,14 +95,18 @@ pub fn unusual(key: &'static str, value: f64) -> Option<Finding> {
 
 /// The units of a number with their sizes in SI; those of hardnesses have scales of tests, of which
 /// the size of 1 HRC depends on the number, and slopes have per cent.
-fn units(key: &str, si: &str) -> Vec<(&'static str, f64)> {
+fn units(key: &str, si: &str, value: f64) -> Vec<(&'static str, f64)> {
     let listed = known_units().iter().filter(|of| plain_unit(of.si) == plain_unit(si));
     // Inputs in these units are rare, but for pressures of fluids.
     let usual = |unit: &str| si == "Pa" && key.contains("pressure") || !RARE.contains(&unit);
     let units = listed.flat_map(|of| &of.decimal).filter(|(unit, _)| usual(unit));
     let mut units: Vec<_> = units.map(|(unit, power)| (*unit, 10f64.powi(*power))).collect();
     match key {
-        "hardness" => units.push(("HV", hardness_of_vickers(1.0))),
+        "hardness" => {
+            units.push(("HV", hardness_of_vickers(1.0)));
+            let rockwell = vickers_of_rockwell_c(value).map(hardness_of_vickers);
+            units.extend(rockwell.map(|pascals| ("HRC", pascals / value)));
+        }
         "mean_slope" => units.push(("%", 0.01)),
         _ => {}
     }
@@ -103,6 +114,6 @@ fn units(key: &str, si: &str) -> Vec<(&'static str, f64)> {
 }
 
 /// Whether a value is in a range, ends included.
-fn within(value: f64, [from, to]: [f64; 2]) -> bool {
+pub(super) fn within(value: f64, [from, to]: [f64; 2]) -> bool {
     (from..=to).contains(&value)
 }

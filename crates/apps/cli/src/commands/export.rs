@@ -12,7 +12,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 
 use crate::input::args::{EndArgs, model_id};
-use crate::input::distances::{Length, metre};
+use crate::input::distances::{Length, metre, warn_unit};
 use crate::input::lists::{Span, range, range_or_list};
 use crate::input::numbers::{friction, load, number, pressure, share_above_0};
 use crate::input::{usage_error, valid};
@@ -131,6 +131,11 @@ impl ExportCommand {
             scene.file.solved = solve(&scene.file, &listed, &Terminal::default())?;
         }
         let model = scene.model(Some(&self.model))?;
+        if let Some(distances) = separation {
+            let height_std = scene.file.scene.surface.asperity_height_std;
+            let ends = [span.first, span.last];
+            warn_unit("separation", &ends, distances.unit, height_std);
+        }
         let ends = [span.first, span.last].map(|value| match separation {
             Some(s) => scene.file.separation(value, s.unit).into(),
             None if loads.is_some() => place(value),

@@ -5,14 +5,14 @@ use std::path::PathBuf;
 use anyhow::Result;
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
-use asperity::{At, Described, Model, Tolerance};
+use asperity::{At, Described, Model, SeparationUnit, Tolerance};
 use asperity_answer::{Amplitude, Sheet, Slip, history, of_joint, unloading, unloading_scan};
 use clap::Args;
 use clap::error::ErrorKind;
 
 use super::bem;
 use crate::input::args::{DrawnArgs, EndArgs, PressArgs, file_ending, loads, model_id, tolerance};
-use crate::input::distances::Distances;
+use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
 use crate::input::usage_error;
@@ -120,8 +120,11 @@ fn retreats(text: &str) -> Result<Distances, String> {
 impl Closed {
     /// The closest approaches, largest loads or turning points; prints the findings there.
     fn all(&self, scene: &LoadedScene, model: &Model) -> Vec<At> {
+        let height_std = scene.file.scene.surface.asperity_height_std;
         let mut places = vec![];
-        for list in self.closest.iter().chain(&self.history) {
+        for (name, list) in [("closest", &self.closest), ("history", &self.history)] {
+            let Some(list) = list else { continue };
+            warn_unit(name, &list.value, list.unit, height_std);
             let place = |value: &f64| At::from(scene.file.separation(*value, list.unit));
             places.extend(list.value.iter().map(place));
         }
@@ -190,6 +193,9 @@ impl Joint {
     }
 
     fn slip(&self, scene: &LoadedScene, slip: &Slip<'_>, preloads: &[At]) -> Result<()> {
+        let height_std = scene.file.scene.surface.asperity_height_std;
+        let (shift, metres) = (self.cycle.amplitude.as_slice(), SeparationUnit::Metres);
+        warn_unit("amplitude", shift, metres, height_std);
         let amplitudes = self.amplitudes();
         let is_scan = slip.subject.id == Bem::ID;
         let points = self.points.unwrap_or(POINTS[usize::from(is_scan)]);

@@ -13,7 +13,7 @@ use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
-use crate::input::distances::{Distances, metre};
+use crate::input::distances::{Distances, metre, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load_or_tension, number, pressure_or_tension, relative_error};
 use crate::input::usage_error;
@@ -136,7 +136,15 @@ pub struct DrawnArgs {
 impl ModelArgs {
     /// The request, by default with `usual` quantities and these separations.
     pub fn request(&self, scene: &SceneFile, separations: &[f64], usual: &[Quantity]) -> Request {
+        for list in &self.separations {
+            let height_std = scene.scene.surface.asperity_height_std;
+            warn_unit("separation", &list.value, list.unit, height_std);
+        }
         let at = self.at(scene, separations);
+        for list in &self.films {
+            let height_std = scene.scene.surface.asperity_height_std;
+            warn_unit("film", &list.0, SeparationUnit::Metres, height_std);
+        }
         let quantities = match (&self.quantities[..], &at[..], usual) {
             // At a load, the force is given.
             ([], [At::Load(_) | At::Pressure(_), ..], [Quantity::Force, others @ ..]) => others,

@@ -3,9 +3,11 @@
 use std::str::FromStr;
 
 use asperity::SeparationUnit;
+use asperity_answer::unit_warning;
 
 use crate::input::lists::{Numbers, ReadNumber, Span, have_units};
 use crate::input::numbers::{number, of_unit};
+use crate::output::show;
 
 /// Separations of one option: plain numbers in units of σ_z, or lengths in metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,4 +62,9 @@ impl FromStr for Length<Span> {
 /// A length in m, or with its unit.
 pub fn metre(text: &str) -> Result<f64, String> {
     of_unit(text, "m")
+}
+
+/// Warns of values that look like another unit, by the largest of them.
+pub fn warn_unit(name: &str, values: &[f64], unit: SeparationUnit, height_std: f64) {
+    show(&unit_warning(name, values, unit, height_std));
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use asperity::{
     Case, Contact, ContactError, ContactModel, Evaluation, Finding, Quantity, Request, Response,
-    Sweep,
+    RowCheck, Sweep,
 };
 use pyo3::prelude::*;
 
@@ -93,11 +93,21 @@ impl Asked {
         response().map_or_else(refused, |found| self.read(aspect, row, found))
     }
 
-    /// Many values at once; none if one of them needs more than a number.
+    /// Many values at once; none if one of them needs a finding.
     fn filled(&self, contact: &dyn Contact, range: Range<usize>) -> Option<Answer> {
         let quantities = &self.request.quantities[..];
         let places = self.rows.sigmas(range, contact.scene())?;
-        Some(Answer { columns: filled(contact, quantities, &places)?, ..Answer::default() })
+        let (columns, cancels) = filled(contact, quantities, &places)?;
+        let usual = |(quantity, column): (&Quantity, &Vec<f64>)| {
+            let most = match quantity {
+                Quantity::Area => contact.scene().nominal_area,
+                Quantity::AreaFraction => 1.0,
+                _ => f64::INFINITY,
+            };
+            column.iter().all(|value| *value > 0.0 && *value <= most)
+        };
+        let usual = !cancels && quantities.iter().zip(&columns).all(usual);
+        usual.then(|| Answer { columns, ..Answer::default() })
     }
 
     /// The values of a response to rows from `first` on.
@@ -121,41 +131,45 @@ impl Asked {
     fn on_many(&self, aspect: Aspect, sweep: &Sweep<'_>, range: Range<usize>) -> Answer {
         let quantities = &self.request.quantities;
         let mut found = Answer { columns: vec![vec![]; quantities.len()], ..Answer::default() };
+        let mut check = RowCheck::new(self.model.validity().adhesive);
         for (row, case, answer) in self.rows.evaluate(range, |cases| sweep.evaluate_all(cases)) {
             // Other quantities of a refused row may have values.
             let alone = |case: &Case| {
                 let request = self.request.clone().at([case.at]);
                 self.model.solve(&case.scene, &request).ok()
             };
-            match answer {
-                Ok(values) => {
+            match (answer, &case) {
+                (Ok(values), Some(case)) => {
                     for (k, (quantity, value)) in quantities.iter().zip(values).enumerate() {
+                        check.check(*quantity, Ok(&value), case.at, &case.scene, |_| None);
                         found.columns[k].push(aspect(&value, *quantity));
                     }
                 }
-                Err(error) => match case.as_ref().and_then(alone) {
+                (Err(error), case) => match case.as_ref().and_then(alone) {
                     Some(response) => found.append(self.read(aspect, row, response)),
                     None => {
                         found.columns.iter_mut().for_each(|column| column.push(f64::NAN));
                         found.failures.push((row, error));
                     }
                 },
+                (Ok(_), None) => {}
             }
         }
+        found.warnings.extend(check.finish(self.model.id()));
         found
     }
 }
 
-/// Columns of quantities at separations, multiples of σ_z from the mean of the asperity
-/// heights; none if one of them needs more than a number.
+/// Columns of quantities at separations, multiples of σ_z from the mean of the asperity heights,
+/// and whether values cancel; none if one of them needs more than a number.
 pub(crate) fn filled(
     contact: &dyn Contact,
     quantities: &[Quantity],
     places: &[f64],
-) -> Option<Vec<Vec<f64>>> {
+) -> Option<(Vec<Vec<f64>>, bool)> {
     let mut columns = vec![vec![0.0; places.len()]; quantities.len()];
     let mut out: Vec<&mut [f64]> = columns.iter_mut().map(Vec::as_mut_slice).collect();
     let absolute = quantities.iter().any(|quantity| quantity.is_absolute());
-    (!absolute).then(|| contact.fill(quantities, places, &mut out).ok()).flatten()?;
-    Some(columns)
+    let filled = (!absolute).then(|| contact.fill(quantities, places, &mut out).ok()).flatten()?;
+    Some((columns, filled.cancels()))
 }

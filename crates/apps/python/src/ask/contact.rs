@@ -202,6 +202,7 @@ impl Contact {
         axis.check(&self.file)?;
         let (given, is_si) = Given::read(numbers, "separation", axis.si())?;
         let axis = if is_si { axis.in_si() } else { axis };
+        axis.warn_of_unit(py, "separation", given.numbers()?, &self.file, 0)?;
         let contact = self.current();
         if let Some(columns) = self.filled(py, &*contact, quantities, axis, given.numbers()?)? {
             return given.shaped(py, columns);
@@ -228,7 +229,7 @@ impl Contact {
         let (scene, from) = (contact.scene(), self.file.spec.separation_from);
         let fill = |range: Range<usize>| {
             let places = sigmas(&numbers[range], axis, from, scene)?;
-            filled(contact, &quantities, &places)
+            Some(filled(contact, &quantities, &places)?.0)
         };
         let tasks = (numbers.len(), VALUES_PER_TASK);
         let mut columns = [(); N].map(|()| Vec::with_capacity(numbers.len()));

@@ -5,12 +5,13 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-use asperity::{At, Case, ContactError, Datum, Findings, Scene, SeparationUnit, Severity};
+use asperity::{At, Case, ContactError, Datum, Finding, Findings, Scene, SeparationUnit, Severity};
 use asperity_scene::SceneInput;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 
 use crate::convert::axis::Axis;
+use crate::convert::numbers::largest_magnitude;
 use crate::scene::SceneFile;
 use crate::scene::arguments::inputs;
 
@@ -163,6 +164,14 @@ impl Rows {
     /// heights; none for loads, or without a mean plane.
     pub(crate) fn sigmas(&self, rows: Range<usize>, scene: &Scene) -> Option<Cow<'_, [f64]>> {
         sigmas(&self.numbers[rows], self.axis, self.files.first()?.spec.separation_from, scene)
+    }
+
+    /// A warning if the separation of largest magnitude has probably another unit.
+    pub(crate) fn mistaken_unit(&self) -> Option<Finding> {
+        let largest = largest_magnitude(&self.numbers).to_bits();
+        let row = self.numbers.iter().position(|x| x.abs().to_bits() == largest)?;
+        let height_std = self.scene(row).ok()?.surface.asperity_height_std;
+        self.axis.mistaken_unit("separation", &self.numbers[row..=row], height_std)
     }
 }
 

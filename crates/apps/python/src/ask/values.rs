@@ -36,7 +36,8 @@ pub(crate) fn answer<'py>(
     let Asked { rows, model, request, .. } = &asked;
     let found = py.detach(|| {
         let of_scenes = if checked { check_rows(&asked) } else { Findings::default() };
-        rows.accepted(of_scenes.into_iter().chain(answer.warnings).collect())
+        let unit = rows.mistaken_unit().into_iter();
+        rows.accepted(unit.chain(of_scenes).chain(answer.warnings).collect())
     });
     let texts = found.iter().map(warning);
     let columns = arrays(py, request.quantities.iter().zip(answer.columns))?;

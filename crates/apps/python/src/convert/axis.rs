@@ -1,9 +1,10 @@
 //! The axis of a request: separations in their unit, from a scene's plane, loads or pressures.
 
-use asperity::{At, ContactError, Datum, Scene, Separation, SeparationUnit};
+use asperity::{At, ContactError, Datum, Finding, Scene, Separation, SeparationUnit};
 use pyo3::prelude::*;
 
-use crate::convert::value_error;
+use crate::convert::numbers::largest_magnitude;
+use crate::convert::{value_error, warn_unless};
 
 /// The meaning of a number.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -94,5 +95,39 @@ impl Axis {
             Self::Separation(unit) => Ok(separation.measured_in(unit, from, scene)?.value),
             _ => Ok(separation.value),
         }
+    }
+
+    /// A warning if separations, or the lengths `name`, probably have another unit; it names the
+    /// number of largest magnitude, as smaller ones of an array do not show the unit.
+    pub(crate) fn mistaken_unit(
+        self,
+        name: &str,
+        numbers: &[f64],
+        height_std: f64,
+    ) -> Option<Finding> {
+        let Self::Separation(unit) = self else { return None };
+        let remedy = match unit {
+            SeparationUnit::Metres => "separation_unit is \"m\"",
+            _ => "separation_unit=\"m\" takes metres",
+        };
+        let mistaken =
+            |number| asperity_scene::mistaken_unit(name, number, unit, height_std, remedy);
+        let largest = if let [one] = numbers { one.abs() } else { largest_magnitude(numbers) };
+        // Most arrays need no search for the number.
+        mistaken(largest)?;
+        mistaken(*numbers.iter().find(|x| x.abs().to_bits() == largest.to_bits())?)
+    }
+
+    /// Emits that warning, `above` frames of the package up.
+    pub(crate) fn warn_of_unit(
+        self,
+        py: Python<'_>,
+        name: &str,
+        numbers: &[f64],
+        file: &asperity_scene::SceneFile,
+        above: usize,
+    ) -> PyResult<()> {
+        let mistaken = self.mistaken_unit(name, numbers, file.scene.surface.asperity_height_std);
+        mistaken.map_or(Ok(()), |found| warn_unless(py, &file.spec.accept, &found, above))
     }
 }

@@ -83,3 +83,19 @@ pub(crate) fn floats<'py>(
     let package = values.py().import("asperity._arguments")?;
     Ok(package.getattr("floats")?.call1((values, name))?.extract()?)
 }
+
+/// The largest magnitude of finite numbers; 0 without any.
+pub(crate) fn largest_magnitude(numbers: &[f64]) -> f64 {
+    let magnitude = |x: f64| if x.abs() < f64::INFINITY { x.abs() } else { 0.0 };
+    // Side by side: a single maximum would wait for the one before.
+    let mut largest = [0.0; 16];
+    let (chunks, rest) = numbers.as_chunks::<16>();
+    for chunk in chunks {
+        for (largest, x) in largest.iter_mut().zip(chunk) {
+            let size = magnitude(*x);
+            *largest = if size > *largest { size } else { *largest };
+        }
+    }
+    let rest = rest.iter().map(|x| magnitude(*x));
+    rest.chain(largest).fold(0.0, f64::max)
+}

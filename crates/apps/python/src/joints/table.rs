@@ -62,6 +62,9 @@ impl JointTable {
         let parsed = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let axis: Axis = separation_unit.extract()?;
         let unit = if axis == METRES { SeparationUnit::Metres } else { SeparationUnit::Sigma };
+        for end in [ends.0, ends.1] {
+            axis.warn_of_unit(py, "separation", &[end], &file, 1)?;
+        }
         let named = model.get().on_flat(&file)?;
         let (metres, plane, table) = model.get().run(py, || {
             let joint = joints::Joint::new(&named, &file.scene, parsed, Tolerance::default())?;

@@ -56,6 +56,7 @@ impl Unloading {
         let file = scene.get().0.clone();
         let law = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let (axis, unit): (Axis, Axis) = (place.0.extract()?, separation_unit.extract()?);
+        axis.warn_of_unit(py, "separation", &[place.1], &file, 1)?;
         let (named, tolerance) = (model.get().on_flat(&file)?, tolerance(rtol)?);
         let at = axis.at(place.1, file.spec.separation_from);
         let (joint, whole, closest) = model.get().run(py, || {
@@ -163,6 +164,7 @@ impl Unloading {
         let (py, scene) = (retreat.py(), self.joint.scene());
         let (given, is_si) = Given::read(retreat, "retreat", "m")?;
         let unit = if is_si { METRES } else { self.unit };
+        unit.warn_of_unit(py, "retreat", given.numbers()?, &self.scene.get().0, 0)?;
         let one = |_, u: f64| Ok([one(&self.joint, unit.metres(scene) * u)?]);
         Ok(given.each(py, ROWS_PER_TASK, one, |error| self.model.get().raise(py, error))?.remove(0))
     }

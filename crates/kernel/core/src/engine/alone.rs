@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::engine::averages::{all_separations_of_load, separation_at, separation_of_pull_off};
 use crate::engine::case_integrals::CaseIntegrals;
-use crate::engine::list::{FEW, add_row, empty, shares_at};
+use crate::engine::list::{FEW, add_row, behind, empty, shares_at};
 use crate::engine::parallel;
 use crate::engine::prepared::Facts;
 use crate::engine::row_integrals::{RowIntegrals, answers};
@@ -70,6 +70,10 @@ impl ContactEngine for Alone {
         &self.facts.quantities
     }
 
+    fn is_adhesive(&self) -> bool {
+        self.facts.laws.adhesive
+    }
+
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
         self.facts.check_requested(quantity)?;
         RowIntegrals::<_>::new(&mut self.at(&at)?, &[quantity], &at)?.quantity(quantity)
@@ -128,6 +132,8 @@ impl ContactEngine for Alone {
             columns
         };
         let answered = |places: &[At]| parallel::columns(places, (FEW + 1, FEW), columns);
-        respond(self, request, answered)
+        respond(self, request, answered, |quantity, at| {
+            behind(&mut self.at(&at).ok()?, quantity, at)
+        })
     }
 }

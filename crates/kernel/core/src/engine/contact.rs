@@ -28,6 +28,10 @@ impl ContactEngine for Prepared {
         &self.facts.quantities
     }
 
+    fn is_adhesive(&self) -> bool {
+        self.facts.laws.adhesive
+    }
+
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
         self.facts.check_requested(quantity)?;
         RowIntegrals::<_, 0>::new(&mut &*self, &[], &at)?.unchecked(quantity)

@@ -34,7 +34,18 @@ pub(crate) fn is_short(request: &Request, scene: &Scene) -> bool {
 pub(crate) fn answer_prepared(prepared: &Prepared, request: &Request) -> Response {
     let columns = |places: &[At]| columns(prepared, &request.quantities, places);
     let answered = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
-    respond(prepared, request, answered)
+    respond(prepared, request, answered, |quantity, at| behind(&mut &*prepared, quantity, at))
+}
+
+/// The value behind a logarithm or a share; `None` if it is not negative for any law.
+pub(crate) fn behind<'s>(
+    averages: &mut impl Averages<'s>,
+    quantity: Quantity,
+    at: At,
+) -> Option<f64> {
+    averages.laws().are_signed().then_some(())?;
+    let mut row = RowIntegrals::<_>::new(averages, &[quantity], &at).ok()?;
+    Some(row.unchecked(quantity).ok()?.value())
 }
 
 /// The share of every part in a quantity that follows from a single law.

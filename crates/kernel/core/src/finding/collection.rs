@@ -31,13 +31,15 @@ pub struct Findings(Vec<Finding>);
 
 impl Findings {
     /// Adds a finding; the most severe come first. Findings with the same code, field, model,
-    /// quantity, law and origin merge: the worst is kept.
+    /// quantity, law and origin merge: rows are counted and the worst is kept.
     pub fn push(&mut self, new: Finding) {
         match self.0.iter_mut().find(|known| known.has_cause_of(&new)) {
             Some(known) => {
+                let count = known.count + new.count;
                 if new.excess() > known.excess() {
                     *known = new;
                 }
+                known.count = count;
             }
             None => self.0.push(new),
         }
@@ -111,7 +113,7 @@ impl Finding {
     /// Whether one of these codes accepts the finding; refusals are not accepted.
     #[must_use]
     pub fn is_accepted(&self, codes: &[Code]) -> bool {
-        self.severity != Severity::Refusal && codes.contains(&self.code)
+        self.severity != Severity::Refusal && codes.iter().any(|code| code.accepts(self.code))
     }
 
     fn has_cause_of(&self, other: &Self) -> bool {

@@ -5,9 +5,12 @@ use serde::{Serialize, Serializer};
 
 use super::Finding;
 
+/// Values of answers that have a key of their own.
+const OWN_KEYS: [&str; 4] = ["ln_value", "fraction", "condition", "minimum"];
+
 impl Serialize for Finding {
     /// Writes code, severity, field, value, usual and message, and if set unit, model, also (other
-    /// models with the same finding), quantity, law, at and origin.
+    /// models with the same finding), quantity, law, at, count and origin.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("code", &self.code)?;
@@ -33,9 +36,13 @@ impl Serialize for Finding {
         }
         if let Some(at) = &self.at {
             map.serialize_entry("at", at)?;
+            map.serialize_entry("count", &self.count)?;
         }
         if let Some(origin) = &self.origin {
             map.serialize_entry("origin", origin)?;
+        }
+        if OWN_KEYS.contains(&&*self.field) {
+            map.serialize_entry(&*self.field, &self.value)?;
         }
         map.end()
     }

@@ -77,8 +77,10 @@ pub struct Finding {
     pub quantity: Option<Quantity>,
     /// The law, or the part of one, by its name.
     pub law: Option<String>,
-    /// The worst place, in the caller's units.
+    /// The worst place or, if all places are equal, the first, in the caller's units.
     pub at: Option<At>,
+    /// Number of rows with this finding.
+    pub count: usize,
     /// Origin of the inputs: a line of a scene file, a grid.
     pub origin: Option<String>,
     /// Other models or bodies with the same, not more severe finding.
@@ -122,6 +124,7 @@ impl Finding {
             quantity: None,
             law: None,
             at: None,
+            count: 1,
             origin: None,
             also: vec![],
             fact: None,
@@ -185,6 +188,12 @@ impl Finding {
     #[must_use]
     pub fn at(self, at: At) -> Self {
         Self { at: Some(at), ..self }
+    }
+
+    /// With the number of rows; `at` is the worst or the first of them.
+    #[must_use]
+    pub fn in_rows(self, count: usize) -> Self {
+        Self { count, ..self }
     }
 
     /// With the origin of the inputs: a line of a scene file, a grid.
@@ -278,7 +287,14 @@ impl Finding {
                 text += &format!("{field} is {}{space}{}", short(self.value), self.unit);
             }
         }
-        text.extend(self.at.map(|at| format!(" at {at}")));
+        text += &match (&self.at, self.count) {
+            (Some(at), 0 | 1) => format!(" at {at}"),
+            (Some(at), count) => {
+                let which = if self.excess().is_finite() { "worst" } else { "first" };
+                format!(" in {count} rows, {which} at {at}")
+            }
+            (None, _) => String::new(),
+        };
         if self.fact.is_none() {
             text += &self.range();
         }

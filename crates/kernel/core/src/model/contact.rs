@@ -5,6 +5,7 @@ use std::fmt;
 use crate::engine::parallel;
 use crate::error::require;
 use crate::request::quantity::LEAK;
+use crate::response::row_check::RowCheck;
 use crate::response::{Answered, Response, fill};
 use crate::{
     At, Column, ContactError, Datum, Evaluation, FillReport, Finding, Plan, Quantity, Request,
@@ -46,6 +47,11 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
 
     /// The requested quantities.
     fn quantities(&self) -> &[Quantity];
+
+    /// Whether the surfaces attract each other, so that forces may be negative.
+    fn is_adhesive(&self) -> bool {
+        false
+    }
 
     /// Notes on the answers at these places.
     fn notes(&self, at: &[At]) -> Vec<Finding> {
@@ -178,7 +184,9 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
             request.quantities.iter().map(of).collect()
         };
         let answered = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
-        respond(self, request, answered)
+        let mut response = respond(self, request, answered, |_, _| None);
+        response.warnings.extend(self.notes(&request.at));
+        response
     }
 
     /// Checks that a quantity was requested and is `known`: for models that have only a few.
@@ -213,13 +221,14 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
 /// Rows that are held before they join their columns.
 const ROWS_PER_BLOCK: usize = 8192;
 
-/// Puts columns of runs of rows together, with the notes of the contact. `answered` may return
-/// one column more than there are quantities: the separations, in σ_z from the mean of the
-/// asperity heights.
+/// Puts columns of runs of rows together, with their findings. `answered` may return one column
+/// more than there are quantities: the separations, in σ_z from the mean of the asperity heights.
+/// `behind` returns the value whose sign a logarithm or share hides, where it may be negative.
 pub(crate) fn respond(
     contact: &(impl ContactEngine + ?Sized),
     request: &Request,
     answered: impl Fn(&[At]) -> Vec<Vec<Answered>>,
+    behind: impl Fn(Quantity, At) -> Option<f64>,
 ) -> Response {
     let (quantities, at) = (&request.quantities, &request.at);
     let new = |_| Vec::with_capacity(at.len());
@@ -239,7 +248,15 @@ pub(crate) fn respond(
     let separations = at.iter().map(separation).collect();
     let column = |(&quantity, rows)| Column { quantity, rows };
     let columns: Vec<Column> = quantities.iter().zip(columns).map(column).collect();
-    let (model, warnings) = (contact.model().to_string(), contact.notes(at));
+    let mut seen = RowCheck::new(contact.is_adhesive());
+    for column in &columns {
+        let quantity = column.quantity;
+        for (row, &at) in column.rows.iter().zip(at) {
+            let row = row.as_ref().map_err(|error| &**error);
+            seen.check(quantity, row, at, contact.scene(), |of| behind(of, at));
+        }
+    }
+    let (model, warnings) = (contact.model().to_string(), seen.finish(contact.model()));
     Response { model, at: at.clone(), separations, columns, warnings }
 }
 

@@ -1,6 +1,7 @@
 //! Plain arrays of values, with one bound for all.
 
 use crate::error::require;
+use crate::response::row_check::CANCELLED;
 use crate::{At, ContactError, Evaluation, Quantity};
 
 /// Number of values computed one by one if an array of them is not possible.
@@ -18,6 +19,12 @@ pub struct FillReport {
 }
 
 impl FillReport {
+    /// Whether parts cancel in some value enough for a warning.
+    #[must_use]
+    pub fn cancels(&self) -> bool {
+        self.condition > CANCELLED
+    }
+
     const NONE: Self = Self { bound: 0.0, condition: 1.0 };
 
     fn with(self, other: Self) -> Self {

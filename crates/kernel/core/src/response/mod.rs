@@ -3,6 +3,7 @@
 pub(crate) mod evaluation;
 pub(crate) mod fill;
 pub(crate) mod plan;
+pub(crate) mod row_check;
 
 use serde::Serialize;
 

@@ -7,7 +7,7 @@ use crate::{APPROACH, SEPARATION, compiled, model, scene, work_of};
 
 use asperity_adhesion::{DerjaguinMullerToporov, PullOff, pull_off};
 use asperity_core::{
-    Case, Contact, ContactError, ContactModel, HeightDistribution, Quantity, Request, Sweep,
+    At, Case, Contact, ContactError, ContactModel, HeightDistribution, Quantity, Request, Sweep,
     Tolerance,
 };
 use asperity_gw::GreenwoodWilliamson;
@@ -181,9 +181,15 @@ fn approach_and_separation_differ_by_what_a_loop_loses() {
 }
 
 #[test]
-fn what_is_missing_is_named() {
+fn tensions_are_told_and_what_is_missing_is_named() {
     let asked = Request::new([Quantity::Pressure, Quantity::Force]).at([-6.0, 1.0, 2.0]);
     for id in ["dmt", "jkr"] {
+        let answer = model(id).solve(&scene(3.0), &asked).unwrap();
+        let [warning] = &answer.warnings[..] else { panic!("{:?}", answer.warnings) };
+        assert!(
+            warning.code == "adhesion" && warning.count == 2 && warning.at == Some(At::from(1.0)),
+            "{warning:?}"
+        );
         let mut bare = scene(0.0);
         bare.interface.work_of_adhesion = None;
         let refused = model(id).solve(&bare, &asked).unwrap_err().to_string();
