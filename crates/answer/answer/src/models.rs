@@ -125,12 +125,21 @@ pub fn models(
     if models.is_empty() {
         return Err("no model is available for this scene".into());
     }
+    if !models.iter().all(|model| model.validity().adhesive) {
+        note_adhesion(file, sheet);
+    }
     Ok(models)
 }
 
 /// Whether models are requested by name, not all.
 fn by_name(requested: &[String]) -> bool {
     !requested.is_empty() && requested.iter().all(|id| id != ALL_MODELS)
+}
+
+/// Notes which models include the scene's adhesion, where it has any.
+pub(crate) fn note_adhesion(file: &SceneFile, sheet: &mut Sheet) {
+    sheet
+        .extend(file.findings().into_iter().filter(|found| found.code == Code::Adhesion).collect());
 }
 
 /// The reason of a model whose id stands in front of it.

@@ -6,6 +6,7 @@ use asperity::{
 };
 use asperity_scene::SceneFile;
 
+use crate::models::note_adhesion;
 use crate::subject::measured;
 use crate::{AnswerError, Cell, Sheet};
 
@@ -23,6 +24,7 @@ pub fn pull_off(
     let heads = ["model", "force_N", "pressure_Pa", "separation_over_sigma", "separation_m"];
     let scene = &file.scene;
     sheet.under(&[&heads]);
+    note_adhesion(file, sheet);
     for model in models {
         let id = model.id();
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);

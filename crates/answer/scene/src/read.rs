@@ -45,7 +45,7 @@ pub fn load_scan(path: impl AsRef<Path>, periodic: bool) -> Result<SceneFile, Sc
 }
 
 fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
-    let named = || Place { file: Some(path.to_path_buf()), ..Place::field("the scene file") };
+    let named = || Place { file: Some(path.to_path_buf()), ..Place::field("") };
     let advice = format!(
         "`asperity init` writes a scene, and `asperity surface {} --scene scene.toml` makes one of a scan",
         path.display()

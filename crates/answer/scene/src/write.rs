@@ -76,7 +76,7 @@ impl SceneFile {
     /// reason.
     pub fn save(&self, path: &Path, comments: &[&str]) -> Result<String, SceneError> {
         let text = self.to_toml(comments)?;
-        let at = Place { file: Some(path.into()), ..Place::field("the scene file") };
+        let at = Place { file: Some(path.into()), ..Place::field("") };
         fs::write(path, &text).map_err(|error| unwritable(at, &error.to_string()))?;
         Ok(text)
     }
