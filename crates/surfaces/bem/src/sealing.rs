@@ -31,8 +31,9 @@ type Tried = (f64, [Option<Sealing>; 2]);
 
 impl BoundaryElements {
     /// Where the last paths along x and along y close, by bisection of the logarithm of the
-    /// pressure; `None` where contacts and gaps smaller than `molecule` \[m\] close every path down
-    /// to the lightest contact. Beside them the heaviest contact with an open path, if there is one.
+    /// pressure; `None` where contacts and gaps smaller than `molecule` \[m\] close every path
+    /// down to the lightest contact. Beside them the heaviest contact with an open path, if there
+    /// is one.
     ///
     /// # Errors
     /// The errors of [`solve`](Self::solve); [`BemError::Cancelled`] where `progress` stops.
