@@ -10,7 +10,7 @@ use toml::{Table, Value};
 use crate::document::{Document, Files};
 use crate::error::{Place, SceneError};
 use crate::input::OWN;
-use crate::keys::{BODY, Field};
+use crate::keys::{BODY, Field, Key, joined, keys_of};
 use crate::materials::Material;
 use crate::measured::Scan;
 use crate::read::scene_file;
@@ -18,6 +18,7 @@ use crate::roughness::{Roughness, Way};
 use crate::scans::Asked;
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SurfaceSpec};
+use crate::template::template;
 use crate::unknown::Unknown;
 
 impl SceneFile {
@@ -60,13 +61,24 @@ impl SceneFile {
             None => ("nominal_area".into(), spec.nominal_area.into()),
             Some(bodies) => ("curvature".into(), written(bodies)),
         }));
-        let options = spec.options.changed();
-        top.extend((!options.is_empty()).then(|| ("options".into(), options.into())));
+        top.insert("options".into(), spec.options.changed().into());
         for (input, Unknown { ends, .. }) in &self.ranges {
             let table = section_mut(&mut top, input.section(&spec.bodies));
             table.map(|table| table.insert(input.key.into(), ends.to_vec().into()));
         }
-        Ok(format!("{text}{top}"))
+        let mut sections = String::new();
+        for name in ["body", "interface", "surface", "curvature", "gap", "seal", "options"] {
+            let header = if name == "body" { "[[body]]" } else { &format!("[{name}]") };
+            let all = match top.remove(name) {
+                Some(Value::Array(bodies)) => bodies,
+                section => section.into_iter().collect(),
+            };
+            let tables = all.iter().filter_map(Value::as_table).filter(|keys| !keys.is_empty());
+            for keys in tables {
+                sections += &format!("\n{header}\n{}", lines(name, keys));
+            }
+        }
+        Ok(text + &lines("", &top) + &sections)
     }
 
     /// Writes [`to_toml`](Self::to_toml) to a file and returns the text.
@@ -225,4 +237,39 @@ fn keys_of_scan(scan: &Scan) -> Table {
 
 fn unwritable(at: Place, reason: &str) -> SceneError {
     SceneError::Refused { at: at.into(), reason: format!("cannot be written: {reason}") }
+}
+
+/// The keys of a section, one per line, in the order of the template; numbers have a comment with
+/// their unit.
+fn lines(section: &str, table: &Table) -> String {
+    let header = format!("[{section}]");
+    let start = template().find(&header).filter(|_| !section.is_empty()).unwrap_or(0);
+    let place = |name: &&str| template()[start..].find(&format!("{name} = ")).unwrap_or(usize::MAX);
+    let mut names = keys_of(section);
+    names.sort_by_key(place);
+    let line = |name: &str| {
+        let value = table.get(name)?;
+        let meaning = match value {
+            Value::Float(_) | Value::Integer(_) => Key::meaning(&joined(section, name)),
+            _ => "",
+        };
+        let gap = if meaning.is_empty() { "" } else { "  # " };
+        Some(format!("{name} = {}{gap}{meaning}\n", inline(value)))
+    };
+    names.into_iter().filter_map(line).collect()
+}
+
+/// A value on one line: numbers with the shortest digits that read back.
+fn inline(value: &Value) -> String {
+    let joined = |parts: Vec<String>| parts.join(", ");
+    match value {
+        Value::Float(number) if number.is_nan() => "nan".into(),
+        Value::Float(number) => format!("{number:e}"),
+        Value::Array(items) => format!("[{}]", joined(items.iter().map(inline).collect())),
+        Value::Table(table) => {
+            let pair = |(name, value): (&String, &Value)| format!("{name} = {}", inline(value));
+            format!("{{ {} }}", joined(table.iter().map(pair).collect()))
+        }
+        other => other.to_string(),
+    }
 }

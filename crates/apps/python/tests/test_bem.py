@@ -245,7 +245,7 @@ def test_a_yielded_scan_opens_along_its_own_path() -> None:
 def test_a_scan_slips_and_sticks(tmp_path: Path, scene: asperity.Scene) -> None:
     np.save(tmp_path / "scan.npy", rough())
     shear = "equivalent_shear_modulus = 24e9"
-    elastic = asperity.Scene.parse(scene.to_toml().replace("hardness = 2000000000.0", shear), tmp_path)
+    elastic = asperity.Scene.parse(scene.to_toml().replace("hardness = 2e9", shear), tmp_path)
     given: dict[str, Any] = {"friction": 0.3, "pressure": "20 MPa"}
     slip = asperity.bem_slip(elastic, amplitude="3 nm", points=5, **given)
     force, back, loss = slip["force_N"], slip["back_N"], slip["loss_J"]

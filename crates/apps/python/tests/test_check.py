@@ -47,8 +47,9 @@ def test_numbers_in_other_units_are_named(scene: asperity.Scene) -> None:
     (text,) = [w for w in warning_texts(in_micrometres, separation=3.0) if "like um" in w]
     assert text.startswith("unusual-size: asperity_height_std")
     many = scene.vary(asperity_height_std=[1e-6, 1.0, 2.0])
-    (text,) = warning_texts(many, separation=3.0)
+    text, *others = warning_texts(many, separation=3.0)
     assert text.startswith("unusual-size: 2 of 3 scenes: ")
+    assert all(other.startswith("area-above-nominal: ") for other in others)
     both = warning_texts([scene, in_micrometres], separation=[3.0, 3.0])  # type: ignore[arg-type]
     assert sum("like um" in text for text in both) == 1
 

@@ -8,6 +8,7 @@ import os
 import pickle
 import threading
 import time
+import warnings
 from typing import Any
 
 import asperity
@@ -117,6 +118,26 @@ def test_an_integral_that_does_not_converge_raises_not_converged(scene: asperity
     with pytest.raises(asperity.NotConverged, match="not converged"):
         asperity.model(Noise).solve(scene, 1.0, rtol=1e-13)
     assert not issubclass(asperity.NotConverged, ValueError)
+
+
+def test_unusual_answers_have_one_warning_for_each_cause(soft_steel: asperity.Scene) -> None:
+    printed = asperity.model("at")
+    quantities = ["force", "pressure", "mean-pressure"]
+    negative = "negative: at: force is negative ("
+    for scenes in (soft_steel, [soft_steel]):
+        with pytest.warns(asperity.ContactWarning) as seen:
+            curve = printed.solve(scenes, [-9.0, 1.0, 1.5], quantities)
+        texts = [str(warning.message) for warning in seen]
+        assert [text[: len(negative)] for text in texts if "negative" in text] == [negative]
+        assert any(" in 2 rows, " in text for text in texts)
+        assert curve.force[0] > 0.0 > curve.force[1]
+        # The line of the caller, not of the package.
+        assert seen[0].filename == __file__
+    with pytest.warns(asperity.ContactWarning, match="at a separation of 1e-6 m: "):
+        printed.solve(soft_steel, 1e-6, separation_unit="m")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        asperity.model("ke").solve(soft_steel, [0.0, 1.0])
 
 
 def test_copies_and_pickles_are_equal(scene: asperity.Scene) -> None:
@@ -241,3 +262,19 @@ def test_a_forked_process_computes_too(scene: asperity.Scene) -> None:
     assert queue.get(timeout=20) == wanted
     child.join(timeout=20)
     assert child.exitcode == 0
+
+
+def test_cancellation_is_warned_of_for_any_number_of_rows(soft_steel: asperity.Scene) -> None:
+    printed = asperity.model("at")
+    low, high = 2.5, 6.0
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        while high - low > 1e-5:
+            middle = 0.5 * (low + high)
+            below = printed.solve(soft_steel, middle, ["force"]).force < 0.0
+            low, high = (middle, high) if below else (low, middle)
+    for count in (1, 300, 3000):
+        places = np.append(np.linspace(5.0, 6.0, count - 1), high)
+        for scenes in (soft_steel, [soft_steel]):
+            with pytest.warns(asperity.ContactWarning, match="^cancelled: "):
+                printed.solve(scenes, places, ["force"])
