@@ -100,9 +100,9 @@ fn every_alternative_of_the_template_is_read_and_written() {
         (&bodies, &surface, "[[body]]"),
         (&material, &surface, "material = \"steel-100cr6\""),
         (&interface, &surface, "[interface]"),
-        (&bodies, &index, "plasticity_index = 2.0"),
-        (&interface, &moments, "m4 = 50000.0"),
-        (&bodies, &iso, "spc = 5000.0"),
+        (&bodies, &index, "plasticity_index = 2e0"),
+        (&interface, &moments, "m4 = 5e4"),
+        (&bodies, &iso, "spc = 5e3"),
         (&bodies, &finish, "finish = \"ground\""),
     ] {
         let file = read(&format!("nominal_area = 1e-4\n{interface}[surface]\n{surface}{options}"));
