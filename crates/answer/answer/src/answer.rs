@@ -6,6 +6,7 @@ use asperity::{
 };
 use asperity_scene::{SceneFile, Shape};
 
+use crate::AnswerError;
 use crate::asked::NO_EVIDENCE;
 use crate::inquiry::{Beside, ENDS, Inquiry, column_of_end};
 use crate::models::grouped;
@@ -241,8 +242,14 @@ fn also(best: &BestContact<Model>, at: At) -> String {
 /// The solutions of boundary elements on the scan of a scene at these loads: an input of answers.
 ///
 /// # Errors
-/// The errors of boundary elements.
+/// A number that is known within a range, and the errors of boundary elements.
 pub fn solve(file: &SceneFile, at: &[At], watch: &dyn Watch) -> Outcome<Vec<SolvedContact>> {
+    if let Some(unknown) = file.unknowns().first() {
+        let name = &unknown.name;
+        return Err(AnswerError::from(format!(
+            "{name} has a range, and a solution holds for one value: give {name} one value, or answer without a solution"
+        )));
+    }
     let pressures: Vec<f64> = at.iter().filter_map(|at| at.pressure(&file.scene)).collect();
     let bem = file.bem()?;
     let truths = Truths::solve(file, &bem, &[], &pressures, &Compared::ALL, false, watch)?;
@@ -289,7 +296,9 @@ pub fn lines(file: &SceneFile, sheet: &Sheet) -> Sheet {
     let has_ends = sheet.heads.iter().any(is_end);
     let ends: &[&str] = if has_ends { &["from", "to"] } else { &[] };
     lines.under(&[load, &["quantity", "value"], ends, &["unit"]]);
-    let is_flat = file.shape().is_none();
+    // A share of a nominal area within a range is no ratio of two ends.
+    let is_flat = file.shape().is_none()
+        && file.unknowns().iter().all(|unknown| unknown.name != "nominal_area");
     for row in &sheet.rows {
         let number = |head: &str| row[sheet.column(head)?].number();
         for head in &sheet.heads {

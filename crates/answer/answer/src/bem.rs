@@ -213,7 +213,7 @@ impl<'a> Press<'a> {
                 progress.residual
             ))
         };
-        let hardness = self.file.scene.interface.softer_hardness();
+        let hardness = elements.limit();
         let (mut least, mut below) = (0, 0);
         self.each(&elements, progress, |index, pressed| match pressed {
             Ok(Pressed { cells, notes, solution }) => {

@@ -5,7 +5,7 @@ use asperity_scene::{SceneFile, column_of};
 
 use crate::inquiry::column_of_end;
 use crate::subject::Outcome;
-use crate::{AnswerError, Cell, ENDS, Sheet, with_ranges};
+use crate::{AnswerError, Cell, ENDS, Sheet, scene_findings, with_ranges};
 
 /// Fills a sheet for each of some values of a number of the scene, by its name, in a column that
 /// follows the model.
@@ -19,10 +19,15 @@ pub fn at_values(
     fill: impl Fn(&SceneFile, &mut Sheet) -> Outcome + Sync,
 ) -> Outcome {
     let input = file.inputs([name])?[0];
+    let known: Vec<_> = scene_findings(file, true).into_iter().map(|f| (f.code, f.field)).collect();
     for &value in values {
         let mut part = Sheet::default();
         let varied = file.with_inputs([(input, value)]).map_err(AnswerError::from);
-        let filled = varied.and_then(|varied| with_ranges(&varied, &mut part, &fill));
+        let filled = varied.and_then(|varied| {
+            let is_new = |found: &Finding| !known.contains(&(found.code, found.field.clone()));
+            part.extend(scene_findings(&varied, true).into_iter().filter(is_new).collect());
+            with_ranges(&varied, &mut part, &fill)
+        });
         filled.map_err(|error| error.of_model(&format!("{name} = {}", shortest_digits(value))))?;
         sheet.append(part, &column_of(name), &value.into());
     }

@@ -9,11 +9,10 @@ use asperity::{
 use asperity_topography::Statistics;
 
 use crate::evidence::KURTOSIS;
-use crate::keys::{Field, INTERFACE, OF_PAIR, SEAL};
+use crate::keys::{CURVATURE, Field, GAP, INTERFACE, OF_PAIR, SEAL};
 use crate::measured::Measured;
 use crate::ranges::Points;
 use crate::scene_file::SceneFile;
-use crate::seal::Seal;
 use crate::unknown::Unknown;
 
 /// The range of the skewness of nearly Gaussian heights.
@@ -32,6 +31,13 @@ const ASPERITY_FIELDS: [&str; 6] = [
 /// Whether a field of the interface follows from the bodies, whose findings are of these.
 fn of_bodies(field: &str) -> bool {
     INTERFACE.iter().any(|known| known.name == field) && !OF_PAIR.contains(&field)
+}
+
+/// The unusual numbers of a section; 0 is a vacuum, or none, and a hollow radius is negative.
+fn of_section<T>(section: &'static str, fields: &[Field<T>], of: Option<&T>) -> Vec<Finding> {
+    let value = |field: &Field<T>| (field.get)(of?).map(f64::abs).filter(|value| *value > 0.0);
+    let found = fields.iter().filter_map(|field| unusual(field.name, value(field)?));
+    found.map(|found| found.within(section)).collect()
 }
 
 impl SceneFile {
@@ -66,23 +72,13 @@ impl SceneFile {
         }
         let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
         let of_pair = self.missing_hardness();
-        let of_seal = self.spec.seal.iter().flat_map(|seal| {
-            // A pressure of 0 is a vacuum.
-            let value = |field: &Field<Seal>| (field.get)(seal).filter(|value| *value > 0.0);
-            let found = SEAL.iter().filter_map(|field| unusual(field.name, value(field)?));
-            found.map(|found| found.within("seal")).collect::<Vec<_>>()
-        });
-        let of_gap = self.spec.gas.iter().flat_map(|gas| {
-            let found = [
-                unusual("gas_conductivity", gas.gas_conductivity),
-                unusual("gas_parameter", gas.gas_parameter),
-            ];
-            found.into_iter().flatten().map(|found| found.within("gap"))
-        });
+        let of_seal = of_section("seal", SEAL, self.spec.seal.as_ref());
+        let of_gap = of_section("gap", GAP, self.spec.gas.as_ref());
+        let of_radii = of_section("curvature", CURVATURE, self.spec.curvature.as_ref());
         let offset = self.spec.surface.mean_plane_offset;
         let of_offset = offset.and_then(|offset| unusual("mean_plane_offset", offset));
         let found = found.into_iter().chain(of_offset).chain(of_gap);
-        let found = found.chain(self.of_bodies()).chain(of_pair).chain(of_seal);
+        let found = found.chain(self.of_bodies()).chain(of_pair).chain(of_seal).chain(of_radii);
         let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
         let found = self.accepted(found).into_iter();
         let found = found.filter(|found| !self.warnings.contains(found));

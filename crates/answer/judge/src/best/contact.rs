@@ -86,7 +86,11 @@ impl<M: Answering> BestContact<M> {
     fn lacks(&self, quantity: Quantity) -> ContactError {
         self.unsupported(&match quantity {
             Quantity::Stiffness => "stiffness, which is what the paper of each model defines; use tangent (first loading) or unloading-stiffness (small vibrations)".into(),
-            other => format!("{other}, which has no counterpart in boundary elements; name a model"),
+            other if other.is_of_bodies() => format!("{other}, which bodies have that [curvature] describes"),
+            other if other.is_of_map() || other == Quantity::Leak => {
+                format!("{other}, which only boundary elements on a scan give")
+            }
+            other => format!("{other}, which is no quantity of solved surfaces: choose one model"),
         })
     }
 

@@ -14,8 +14,19 @@ const RARE: [&str; 4] = ["bar", "cm", "kPa", "pm"];
 /// Numbers of a scene by their keys: the usual range, a typical value, and the SI unit.
 type Usual = (&'static [&'static str], [f64; 2], f64, &'static str);
 
+/// The radii of curved bodies.
+const RADII: [&str; 7] = [
+    "radius",
+    "radius_x",
+    "radius_y",
+    "body1_radius_x",
+    "body1_radius_y",
+    "body2_radius_x",
+    "body2_radius_y",
+];
+
 /// From elastomers to diamond; asperities from atomic corrugation to the stones of asphalt.
-const USUAL: [Usual; 26] = [
+const USUAL: [Usual; 27] = [
     (&["youngs_modulus", "equivalent_modulus"], [1e6, 2e12], 1e11, "Pa"),
     (&["equivalent_shear_modulus"], [3e5, 1e12], 3e10, "Pa"),
     (&["hardness"], [1e5, 1.5e11], 3e9, "Pa"),
@@ -48,6 +59,8 @@ const USUAL: [Usual; 26] = [
     // Of gases and liquids; the jump distance is that of air at 1e-4 bar at most.
     (&["gas_conductivity"], [1e-3, 100.0], 0.03, "W/(m K)"),
     (&["gas_parameter"], [0.0, 5e-3], 4e-7, "m"),
+    // From tips of probes to nearly conforming bodies.
+    (&RADII, [1e-8, 5.0], 0.1, "m"),
     // Of seals, from instruments to long flanges.
     (&["width", "length", "perimeter"], [1e-5, 100.0], 0.01, "m"),
     (&["upstream_pressure"], [100.0, 1e9], 1e6, "Pa"),
