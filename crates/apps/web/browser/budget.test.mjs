@@ -15,12 +15,12 @@ const NINE = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "jg-cosine", "af", "pers
 const RANDOM = { pixels: 512, side: "200 um", longest: "50 um", shortest: "2 um", hurst: 0.8, sq: "0.4 um", seed: 1 };
 const LOAD = { text: "100 N", unit: "N" };
 
-// 1.34 MB, 20 kB of the recommendation among all models, and 30 kB of the texts of instruments with
-// their words and of scenes that are varied as they were written; 40 kB of curved bodies and their
-// loads, of sources of hardness and of points in ranges.
+// 1.35 MB were wanted. The Fourier transforms with vector instructions take 46 kB (without them
+// boundary elements take 1.8 times as long), readers of scans at the level "s" 30 kB (at "z" a scan
+// takes 1.6 times as long), curved bodies, seals and the report of a scan about 40 kB.
 test("a small module", () => {
   const bytes = gzipSync(readFileSync(join(page, "asperity_bg.wasm")), { level: 9 }).length;
-  assert.ok(bytes <= 1.43e6, `${bytes} bytes`);
+  assert.ok(bytes <= 1.45e6, `${bytes} bytes`);
 });
 
 // Both answer a message with { seconds, answer }.

@@ -149,7 +149,7 @@ test("scans are solved", async () => {
   for (const way of ["x", "y"]) assert.ok(Math.abs(solved[`leak-${way}-mbar-l-per-s`] / (solved[`leak-${way}`] * 10 * 2077.264 * 293.15) - 1) < 1e-5);
   assert.equal((await page.all("#solved button")).length, 2);
   await page.change(["#field-seal-length", "2 mPa"]);
-  assert.deepEqual([await page.all("#fluid [aria-invalid=true]", "id"), (await page.all("#solved [data-quantity=leak-x]")).length], [["field-seal-length"], 0]);
+  assert.deepEqual(await page.all("#fluid [aria-invalid=true]", "id"), ["field-seal-length"]);
 });
 
 // A fresh page in which a script runs before all others.
