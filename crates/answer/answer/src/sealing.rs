@@ -53,7 +53,9 @@ pub fn sealing(
                 (found, heaviest) = (vec![sealed], last);
             }
             Err(_) if watch.is_stopped() => break,
-            Err(error) => return Err(format!("sample {sample}: {error}").into()),
+            Err(error) => {
+                return Err(format!("sample {} of {samples}: {error}", sample + 1).into());
+            }
         }
     }
     if found.len() < 2 {
@@ -68,7 +70,7 @@ pub fn sealing(
         let all: Vec<Option<Sealing>> = found.iter().map(|sealed| sealed[k]).collect();
         let (count, never) = (all.len(), all.iter().filter(|one| one.is_none()).count());
         if never > 0 {
-            sheet.result(format!("along {along} no path is open in {never} of {count} samples, down to the lightest contacts: their sealing pressures count as the lowest, and are blank"));
+            sheet.result(format!("along {along} no path is open in {never} of {count} samples, even at the lightest load: their sealing pressures are blank, below all others"));
         }
         let mut row = vec![Cell::from(&*along.to_string()), (count as f64).into()];
         for (_, number) in NUMBERS {

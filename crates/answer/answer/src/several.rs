@@ -39,8 +39,9 @@ impl Sheet {
     /// columns that only one of them has are blank in the other. Of findings, one of each code and
     /// field stays.
     pub fn append(&mut self, mut part: Self, column: &str, cell: &Cell) {
-        part.heads.insert(1, column.into());
-        part.rows.iter_mut().for_each(|row| row.insert(1, cell.clone()));
+        let second = part.heads.len().min(1);
+        part.heads.insert(second, column.into());
+        part.rows.iter_mut().for_each(|row| row.insert(second, cell.clone()));
         for (k, head) in part.heads.iter().enumerate() {
             if self.column(head).is_none() {
                 // Behind the column that it follows there.

@@ -56,7 +56,9 @@ impl BoundaryElements {
                     (closed > start * STEP.powi(-MOST_STEPS)).then(|| closed / STEP)
                 }
                 (Some(Sealing { pressure: open, .. }), None) => {
-                    Some((STEP * open).min((open * self.cap()).sqrt()))
+                    // Up to the hardness, which no path may close.
+                    let heavier = (STEP * open).min((open * self.cap()).sqrt());
+                    (heavier > WITHIN * open).then_some(heavier)
                 }
                 (Some(Sealing { pressure: open, .. }), Some(closed)) => {
                     (closed > WITHIN * open).then(|| (open * closed).sqrt())
@@ -82,8 +84,9 @@ impl BoundaryElements {
             }
         }
         let sealed = [0, 1].map(|k| {
-            let (Some(last), Some(closed)) = ends(&known, k) else { return None };
-            // A heavier contact may be open again.
+            let (Some(last), closed) = ends(&known, k) else { return None };
+            // A heavier contact may be open again; without a closed one the hardness is the end.
+            let closed = closed.unwrap_or(self.cap());
             let pressure = (last.pressure * closed.max(last.pressure)).sqrt();
             Some(Sealing { pressure, ..last })
         });

@@ -79,11 +79,14 @@ impl State {
         // The force falls with the offset, ever more slowly: Newton's method from nearer bodies.
         let mut offset = -least;
         let mut nearer = layer.sigma;
-        loop {
+        for step in 0.. {
             state.separations.iter_mut().zip(&base).for_each(|(d, base)| *d = base + offset);
             state.update(layer)?;
             if state.force() >= load {
                 break;
+            }
+            if step > MAX_STEPS {
+                return refused("no approach carries the load");
             }
             offset -= nearer;
             nearer *= 2.0;
@@ -191,15 +194,20 @@ impl State {
     fn balance(&mut self, layer: &Layer, load: f64) -> Result<(), ContactError> {
         for _ in 0..MAX_STEPS {
             let off = self.force() - load;
-            if off.abs() <= BALANCED * load {
+            let slope = self.weight * self.slopes.iter().sum::<f64>();
+            if off.abs() <= BALANCED * load || slope <= 0.0 {
                 break;
             }
-            let shift = off / (self.weight * self.slopes.iter().sum::<f64>());
+            let shift = off / slope;
             self.separations.iter_mut().for_each(|d| *d += shift);
             self.offset += shift;
             self.update(layer)?;
         }
-        Ok(())
+        // Rounding may leave more than is aimed at.
+        match (self.force() / load - 1.0).abs() <= 1e-6 {
+            true => Ok(()),
+            false => refused("the load was not reached"),
+        }
     }
 
     /// Solves (1 + M W) v = right + shift, with W the slopes: v, and the shift with which the sum
@@ -214,6 +222,9 @@ impl State {
         let n = right.len();
         let root: Vec<f64> = self.slopes.iter().map(|slope| slope.sqrt()).collect();
         let sum = dot(&root, &root);
+        if total.is_some() && sum <= 0.0 {
+            return refused("the pressures do not change with the separation");
+        }
         let keep_sum = |rest: &mut [f64]| {
             if total.is_some() {
                 let off = dot(rest, &root) / sum;
@@ -251,7 +262,7 @@ impl State {
             direction.iter_mut().zip(&rest).for_each(|(d, r)| *d = r + ratio * *d);
         }
         // Rounding may end the fall of the rest above the tolerance, but far below this.
-        if square > first * (tolerance * tolerance).max(1e-12) {
+        if square.is_nan() || square > first * (tolerance * tolerance).max(1e-12) {
             return refused("the equations of the separations did not converge");
         }
         let mut moved: Vec<f64> = right.iter().zip(&deflected).map(|(a, b)| a - b).collect();
