@@ -16,6 +16,7 @@ mod patch;
 mod pull_off;
 mod ranges;
 mod sealing;
+mod search;
 mod several;
 mod sheet;
 mod sliding;
@@ -43,8 +44,9 @@ pub use models::{
 pub use number::{rounded, within};
 pub use patch::patch;
 pub use pull_off::pull_off;
-pub use ranges::{NO_RANGE, with_ranges};
+pub use ranges::with_ranges;
 pub use sealing::sealing;
+pub use search::{NoEnds, Numbers, Search};
 pub use several::at_values;
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};

@@ -5,6 +5,7 @@ use asperity::{Code, Quantity, map_runs};
 use asperity_scene::{Description, Points, SceneFile, Unknown};
 
 use crate::inquiry::{ENDS, column_of_end};
+use crate::search::{NoEnds, Numbers, Search};
 use crate::{AnswerError, Cell, Sheet};
 
 /// Stiffnesses, which waviness beyond the cut-off of the profile lowers.
@@ -12,13 +13,13 @@ const STIFFNESSES: [Quantity; 3] =
     [Quantity::Tangent, Quantity::UnloadingStiffness, Quantity::TangentialStiffness];
 
 /// Fills a sheet for a scene. Where numbers of the scene are known within ranges, it is filled in
-/// the middle of the ranges and at [points](SceneFile::points) of them; each answer, and each place
-/// that differs there, gets the smallest and the largest of these as columns with `_lower` and
-/// `_upper`, and is blank if it is missing at a point. The ends of an interval that an answer has
-/// already are the smallest and the largest of the points. Curved bodies are solved at the first
-/// eight points between the combinations of ends, and at the others where a number there exceeds
-/// those of the ends. Results say which unknown makes the
-/// ranges wide.
+/// the middle of the ranges, at [points](SceneFile::points) of them, and about those at which an
+/// answer is smallest or largest; each answer, and each place that differs there, gets the smallest
+/// and the largest of these as columns with `_lower` and `_upper`, and is blank if it is missing at
+/// a point or has no ends, as beside a pole. The ends of an interval that an answer has already are
+/// the smallest and the largest of the points. Curved bodies are solved at the first eight points
+/// between the combinations of ends, and at others only where a number exceeds those at the ends.
+/// Results say which unknown makes the ranges wide.
 ///
 /// # Errors
 /// The errors of `fill`, in the middle or at a point.
@@ -28,54 +29,85 @@ pub fn with_ranges<T, E: From<AnswerError> + Send>(
     fill: impl Fn(&SceneFile, &mut Sheet) -> Result<T, E> + Sync,
 ) -> Result<T, E> {
     let points = file.points().map_err(AnswerError::from)?;
-    let found = fill(&points.middle, sheet)?;
+    let answered = fill(&points.middle, sheet)?;
     if points.all.is_empty() {
-        return Ok(found);
+        return Ok(answered);
     }
+    let rows = sheet.rows.len();
     let filled = |point: &SceneFile| {
         let mut at_point = Sheet::default();
         fill(point, &mut at_point)?;
-        if at_point.rows.len() != sheet.rows.len() {
+        if at_point.rows.len() != rows {
             let text = "the number of rows differs within the ranges of the scene";
             return Err(AnswerError::from(text).into());
         }
         Ok(at_point)
     };
-    let fill_all = |points: &[SceneFile]| {
-        let sheets = map_runs(points, 1, |one| one.iter().map(filled).collect());
+    let fill_all = |shares: &[Vec<f64>]| {
+        let scenes = shares.iter().map(|shares| file.at(shares));
+        let scenes: Vec<SceneFile> = scenes.collect::<Result<_, _>>().map_err(AnswerError::from)?;
+        let sheets = map_runs(&scenes, 1, |one| one.iter().map(filled).collect());
         sheets.into_iter().collect::<Result<Vec<Sheet>, E>>()
     };
-    // Each point of curved bodies is a solution.
-    let corners = points.corners().count();
-    let few = if file.shape().is_some() { corners + FEW } else { points.all.len() };
-    let mut sheets = fill_all(&points.all[..few])?;
-    if few < points.all.len() && !are_between(&sheets[..corners], &sheets[corners..]) {
-        sheets.extend(fill_all(&points.all[few..])?);
-    }
-    let ends = Ends { file, points, sheets };
+    let search = Search::over(&points, file.shape().is_some());
+    let mut sheets = fill_all(search.first())?;
+    let answers = answers(&sheet.heads);
+    let numbers = |sheet: &Sheet| numbers(sheet, &answers);
+    let first = sheets.iter().map(numbers).collect();
+    let found = search.ends(&numbers(sheet), first, &sought(sheet), |shares| {
+        let new = fill_all(shares)?;
+        let numbers = new.iter().map(numbers).collect();
+        sheets.extend(new);
+        Ok::<_, E>(numbers)
+    })?;
+    let ends = Ends { file, points, sheets, found };
     ends.add_findings(sheet);
     ends.add_columns(sheet);
-    Ok(found)
+    Ok(answered)
 }
 
-/// Whether all numbers of some sheets lie between those of others, but for errors of solutions.
-fn are_between(outer: &[Sheet], inner: &[Sheet]) -> bool {
-    let cells = |sheet: &Sheet| sheet.rows.concat();
-    let outer: Vec<Vec<Cell>> = outer.iter().map(cells).collect();
-    let is_between = |(k, cell): (usize, &Cell)| {
-        let ends: Vec<f64> = outer.iter().filter_map(|cells| cells[k].number()).collect();
-        let error = FLAT * least(&ends).abs().max(most(&ends).abs());
-        let is_within = |x| (least(&ends) - error..=most(&ends) + error).contains(&x);
-        cell.number().is_none_or(is_within)
+/// Of each column with an end of an interval the column of its answer.
+fn answers(heads: &[String]) -> Vec<Option<usize>> {
+    let of_end = |end: &str| heads.iter().map(|head| column_of_end(head, end)).collect();
+    let ends: [Vec<String>; 2] = ENDS.map(of_end);
+    let own = |head: &String| {
+        let end = of_interval(head)?;
+        ends[end].iter().position(|of_end| of_end == head)
     };
-    inner.iter().all(|sheet| cells(sheet).iter().enumerate().all(is_between))
+    heads.iter().map(own).collect()
 }
 
-/// The sheets at the points of the ranges.
+/// The numbers of a sheet, row by row; of an interval that an answer does not have, the answer.
+fn numbers(sheet: &Sheet, answers: &[Option<usize>]) -> Numbers {
+    let of_row = |row: &Vec<Cell>| {
+        let number = |column: usize| row.get(column).and_then(Cell::number);
+        let columns = answers.iter().enumerate();
+        columns
+            .map(|(column, answer)| number(column).or_else(|| number((*answer)?)))
+            .collect::<Numbers>()
+    };
+    sheet.rows.iter().flat_map(of_row).collect()
+}
+
+/// Which ends of the numbers of a sheet are sought: of an interval those of its ends.
+fn sought(sheet: &Sheet) -> Vec<[bool; 2]> {
+    let of_head = |head: &String| match of_interval(head) {
+        _ if ANSWERS.iter().any(|end| head.ends_with(end)) => [false; 2],
+        Some(end) => [end == 0, end == 1],
+        None => [sheet.column(&column_of_end(head, ENDS[0])).is_none(); 2],
+    };
+    let of_row: Vec<[bool; 2]> = sheet.heads.iter().map(of_head).collect();
+    of_row.repeat(sheet.rows.len())
+}
+
+/// What is found at the points of the ranges.
 struct Ends<'a> {
     file: &'a SceneFile,
     points: Points,
+    /// The sheets at the points, first at the combinations of ends.
     sheets: Vec<Sheet>,
+    /// The ends of each number, row by row.
+    found: Vec<Result<[f64; 2], NoEnds>>,
 }
 
 /// How a value answers to the unknowns: the distance of its ends, and that due to each unknown.
@@ -87,23 +119,9 @@ struct Width {
 }
 
 impl Ends<'_> {
-    /// The numbers of a cell at the points and in the middle; none if one of them is missing.
-    fn numbers(&self, sheet: &Sheet, row: usize, column: usize) -> Option<Vec<f64>> {
-        let all = self.sheets.iter().chain([sheet]);
-        all.map(|sheet| sheet.rows[row].get(column)?.number()).collect()
-    }
-
-    /// An end of what is known: of the interval of an answer at each point and, where it has none,
-    /// of the answer.
-    fn end(&self, sheet: &Sheet, (row, column): (usize, usize), end: usize) -> Option<f64> {
-        let is_own = |head: &String| column_of_end(head, ENDS[end]) == sheet.heads[column];
-        let value = sheet.heads.iter().position(is_own)?;
-        let number = |sheet: &Sheet| {
-            let cells = &sheet.rows[row];
-            cells.get(column)?.number().or(cells.get(value)?.number())
-        };
-        let all: Option<Vec<f64>> = self.sheets.iter().chain([sheet]).map(number).collect();
-        all.map(|all| if end == 0 { least(&all) } else { most(&all) })
+    /// The ends of a number.
+    fn ends(&self, sheet: &Sheet, row: usize, column: usize) -> Result<[f64; 2], NoEnds> {
+        self.found[row * sheet.heads.len() + column]
     }
 
     /// Adds the ends of every column of answers, and of places whose numbers differ.
@@ -127,45 +145,48 @@ impl Ends<'_> {
         let columns = (0..sheet.heads.len()).filter(|column| !has_own(column));
         let columns = columns.filter(|column| is_answer(column) || differs(column));
         let columns: Vec<usize> = columns.collect();
-        let mut blank = 0;
+        let ends = |row: usize, column: usize| self.ends(sheet, row, column);
+        let ends: Vec<Vec<Result<[f64; 2], NoEnds>>> = (0..sheet.rows.len())
+            .map(|row| columns.iter().map(|column| ends(row, *column)).collect())
+            .collect();
+        let mut blank = [(NoEnds::Missing, 0), (NoEnds::Growing, 0)];
         // From the last, so that the places of the others stay.
-        for column in columns.into_iter().rev() {
-            for row in 0..sheet.rows.len() {
-                if let Some(end) = of_interval(&sheet.heads[column]) {
-                    sheet.rows[row][column] = self.end(sheet, (row, column), end).into();
+        for (k, column) in columns.into_iter().enumerate().rev() {
+            let interval = of_interval(&sheet.heads[column]);
+            for (row, ends) in sheet.rows.iter_mut().zip(&ends) {
+                let ends = ends[k];
+                if let Some(end) = interval {
+                    row[column] = ends.ok().map(|ends| ends[end]).into();
                     continue;
                 }
-                let ends = self.numbers(sheet, row, column).map(|all| [least(&all), most(&all)]);
-                let cell = &mut sheet.rows[row][column];
-                if ends.is_none() && cell.number().is_some() {
-                    *cell = Cell::BLANK;
-                    blank += 1;
+                if let Some(why) = ends.err().filter(|_| row[column].number().is_some()) {
+                    row[column] = Cell::BLANK;
+                    blank.iter_mut().filter(|(of, _)| *of == why).for_each(|(_, n)| *n += 1);
                 }
-                let ends = [0, 1].map(|end| Cell::from(ends.map(|ends| ends[end])));
-                sheet.rows[row].splice(column + 1..column + 1, ends);
+                let ends = [0, 1].map(|end| Cell::from(ends.ok().map(|ends| ends[end])));
+                row.splice(column + 1..column + 1, ends);
             }
-            if of_interval(&sheet.heads[column]).is_some() {
-                continue;
+            if interval.is_none() {
+                let heads = ENDS.map(|end| column_of_end(&sheet.heads[column], end));
+                sheet.heads.splice(column + 1..column + 1, heads);
             }
-            let heads = ENDS.map(|end| column_of_end(&sheet.heads[column], end));
-            sheet.heads.splice(column + 1..column + 1, heads);
         }
-        if blank > 0 {
-            sheet.warn(Code::NoValue, format!("{blank} values are blank: {NO_RANGE}"));
+        for (why, count) in blank.into_iter().filter(|(_, count)| *count > 0) {
+            sheet.warn(Code::NoValue, format!("{count} values are blank: {}", why.text()));
         }
     }
 
     /// The widest value of a column: in logarithms where all its numbers are positive.
     fn width(&self, sheet: &Sheet, column: usize) -> Option<Width> {
         let of_row = |row: usize| {
-            let mut numbers = self.numbers(sheet, row, column)?;
-            let is_ratio = least(&numbers) > 0.0;
-            let size = if is_ratio { 1.0 } else { most(&numbers).max(-least(&numbers)) };
-            if is_ratio {
-                numbers.iter_mut().for_each(|number| *number = number.ln());
-            }
-            let total = most(&numbers) - least(&numbers);
-            let width = Width { total, of_unknowns: self.points.effects(&numbers), is_ratio };
+            let ends = self.ends(sheet, row, column).ok()?;
+            let is_ratio = ends[0] > 0.0;
+            let scaled = |number: f64| if is_ratio { number.ln() } else { number };
+            let size = if is_ratio { 1.0 } else { ends[1].max(-ends[0]) };
+            let total = scaled(ends[1]) - scaled(ends[0]);
+            let number = |sheet: &Sheet| Some(scaled(sheet.rows[row].get(column)?.number()?));
+            let all: Vec<f64> = self.sheets.iter().map_while(number).collect();
+            let width = Width { total, of_unknowns: self.points.effects(&all), is_ratio };
             // Places are the same at all points.
             (total.is_finite() && total > SAME * size).then_some(width)
         };
@@ -227,25 +248,10 @@ impl Ends<'_> {
 
 /// Ends of the names of columns about models, beside the columns of quantities.
 const ANSWERS: [&str; 1] = ["_deviation"];
-/// The number of points between the combinations of ends at which curved bodies are solved first,
-/// and how far numbers there may exceed those of the ends.
-const FEW: usize = 8;
-const FLAT: f64 = 1e-5;
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
-/// Why a number has no value where it is missing at an end.
-pub const NO_RANGE: &str = "there is no value at a point of the ranges";
-
-fn least(numbers: &[f64]) -> f64 {
-    numbers.iter().copied().fold(f64::INFINITY, f64::min)
-}
-
-fn most(numbers: &[f64]) -> f64 {
-    numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max)
-}
-
 /// Which end of an interval a column is.
-fn of_interval(head: &str) -> Option<usize> {
+pub(crate) fn of_interval(head: &str) -> Option<usize> {
     ENDS.iter().position(|end| head.contains(&format!("_{end}")))
 }
 

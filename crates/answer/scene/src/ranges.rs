@@ -31,8 +31,8 @@ pub struct Points {
     pub all: Vec<SceneFile>,
     /// The numbers with a range.
     pub unknowns: Vec<Unknown>,
-    /// For each point the share of each range.
-    shares: Vec<Vec<f64>>,
+    /// For each point the share of each range, from 0 at its lower end to 1 at its upper one.
+    pub shares: Vec<Vec<f64>>,
 }
 
 impl Points {

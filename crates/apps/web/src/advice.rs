@@ -52,10 +52,12 @@ pub(crate) fn answer(
     contact: Option<&BestContact<Model>>,
     load: &Load,
 ) -> Value {
-    let mut indices = scenes.iter().map(|file| file.scene.plasticity_index().ok());
-    let index = indices.next().flatten().map(|index| Known::new(index, None, Source::Model));
-    let ends = indices.map(|index| Some(Known::new(index?, None, Source::Model)));
-    let index = index.and_then(|index| index.within(ends));
+    let indices = scenes.iter().map(|file| file.scene.plasticity_index().ok());
+    let index = indices.collect::<Option<Vec<f64>>>().map(|all| {
+        let end = |of: fn(f64, f64) -> f64| all.iter().copied().fold(all[0], of);
+        let index = Known::new(all[0], None, Source::Model);
+        if all.len() > 1 { index.between([end(f64::min), end(f64::max)]) } else { index }
+    });
     // An elastic model is not valid where they do.
     let yields = |best: &BestContact<Model>| {
         let invalid = best.others(load.at).into_iter().filter_map(|other| other.outside);
@@ -223,9 +225,9 @@ mod tests {
             env!("CARGO_MANIFEST_DIR"),
             "/../../answer/scene/examples"
         ));
-        for entry in std::fs::read_dir(examples).unwrap() {
-            let path = entry.unwrap().path();
-            let text = std::fs::read_to_string(&path).unwrap();
+        let paths = std::fs::read_dir(examples).unwrap().map(|entry| entry.unwrap().path());
+        let scenes = paths.map(|path| (std::fs::read_to_string(&path).unwrap(), path));
+        for (text, path) in scenes.chain([(GROUND.into(), "ground".into())]) {
             let file = asperity_scene::parse(&text, examples).unwrap();
             let modulus = file.scene.interface.equivalent_modulus;
             let pressures = [3e-6, 1e-5, 1e-4, 3e-4, 1e-3].map(|share| (share * modulus).round());
@@ -269,7 +271,13 @@ mod tests {
                         let wanted = of(&answered, &head);
                         assert_eq!(of(&drawn, &head), wanted, "{path:?} {head} {pressure}");
                         let shown = cell[key].as_str().map(|text| text.parse::<f64>().unwrap());
-                        assert_eq!(shown, wanted, "{path:?} {head} {pressure}");
+                        // At the points of ranges, models that are ready for many loads round
+                        // otherwise.
+                        let is_same = match (shown, wanted) {
+                            (Some(a), Some(b)) if text == GROUND => (a / b - 1.0).abs() < 1e-13,
+                            _ => shown == wanted,
+                        };
+                        assert!(is_same, "{path:?} {head} {pressure}: {shown:?} {wanted:?}");
                     }
                 }
                 if is_exported {

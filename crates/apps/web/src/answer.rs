@@ -2,9 +2,12 @@
 
 use asperity::recommended::JKR;
 use asperity::{
-    At, Code, Described, Finding, Findings, Quantity, Request, Severity, Tolerance, shortest_digits,
+    At, Code, ContactError, Described, Finding, Findings, Quantity, Request, Severity, Tolerance,
+    shortest_digits,
 };
-use asperity_answer::{ADHESIVE, Answer, Asked, ENDS, Line, NO_RANGE, OPENING, column_of_end};
+use asperity_answer::{
+    ADHESIVE, Answer, Asked, ENDS, Line, Numbers, OPENING, Search, column_of_end,
+};
 use asperity_scene::{Field, INTERFACE, SceneFile};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -152,14 +155,9 @@ impl Known {
         Self { value, ends, source, bound: None, ranged: false }
     }
 
-    /// Over the ranges of the surface, with the values at their ends, if there are any; none if one
-    /// is missing there.
-    pub(crate) fn within(self, ends: impl Iterator<Item = Option<Self>>) -> Option<Self> {
-        let ends = ends.collect::<Option<Vec<Self>>>()?;
-        let all = || ends.iter().chain([&self]).map(|one| one.ends.unwrap_or([one.value; 2]));
-        let both = || all().reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]);
-        let (own, ranged) = (self.ends, !ends.is_empty());
-        Some(Self { ends: if ranged { both() } else { own }, ranged, ..self })
+    /// Over the ranges of the surface.
+    pub(crate) fn between(self, ends: [f64; 2]) -> Self {
+        Self { ends: Some(ends), ranged: true, ..self }
     }
 
     /// Whether it varies over the ranges of the surface.
@@ -168,27 +166,64 @@ impl Known {
     }
 }
 
-/// The model of an id on each scene with all quantities that it has, ready for many loads.
-pub(crate) fn compile(scenes: &[SceneFile], id: &str) -> Result<Vec<Asked>, Refusal> {
-    let of = |file: &SceneFile| -> Result<Asked, Refusal> {
-        let request = Request::new(quantities(file)).at(Span::of(file).prepared());
-        Ok(Asked::new(file, &file.model(id)?, &request, false)?)
-    };
-    scenes.iter().map(of).collect()
+/// A scene in the middle of its ranges, and at the points at which answers are looked for.
+#[derive(Debug, Default)]
+pub(crate) struct Scenes {
+    pub(crate) all: Vec<SceneFile>,
+    ranges: Option<(SceneFile, Search)>,
 }
 
-/// The values of a model at places, each under the columns, on the first scene with its ends on the
-/// others; and what is found about them.
-fn values(
-    scenes: &[SceneFile],
-    asked: &[Asked],
-    places: &[At],
-) -> (Vec<Vec<Result<Known, String>>>, Vec<Finding>) {
-    let mut all = scenes.iter().zip(asked).map(|(file, asked)| asked.lines(file, places));
-    let Some((middle, warnings)) = all.next() else { return Default::default() };
-    let ends: Vec<Vec<Line>> = all.map(|(lines, _)| lines).collect();
-    let quantities = quantities(&scenes[0]);
-    let of_line = |line: &Line| -> Vec<Result<Known, String>> {
+impl std::ops::Deref for Scenes {
+    type Target = [SceneFile];
+
+    fn deref(&self) -> &[SceneFile] {
+        &self.all
+    }
+}
+
+impl Scenes {
+    pub(crate) fn of(file: &SceneFile) -> Self {
+        let made = || -> Result<Self, ContactError> {
+            let points = file.points()?;
+            let search = Search::over(&points, file.shape().is_some());
+            let first = search.first().iter().map(|shares| file.at(shares));
+            let all: Result<_, _> = [Ok(points.middle)].into_iter().chain(first).collect();
+            let has_ranges = !points.all.is_empty();
+            Ok(Self { all: all?, ranges: has_ranges.then(|| (file.clone(), search)) })
+        };
+        made().unwrap_or_else(|_| Self { all: vec![file.clone()], ranges: None })
+    }
+}
+
+/// A model on each scene, ready for many loads.
+#[derive(Debug)]
+pub(crate) struct Compiled {
+    id: String,
+    all: Vec<Asked>,
+}
+
+/// The model of an id on a scene with all quantities that it has.
+fn asked(file: &SceneFile, id: &str, at: &[At]) -> Result<Asked, Refusal> {
+    let request = Request::new(quantities(file)).at(at.iter().copied());
+    Ok(Asked::new(file, &file.model(id)?, &request, false)?)
+}
+
+/// The model of an id on each scene.
+pub(crate) fn compile(scenes: &[SceneFile], id: &str) -> Result<Compiled, Refusal> {
+    let of = |file: &SceneFile| asked(file, id, &Span::of(file).prepared());
+    Ok(Compiled { id: id.into(), all: scenes.iter().map(of).collect::<Result<_, _>>()? })
+}
+
+/// The values of a model at one load or one pressure, or the reasons why there are none.
+type Cells = Vec<Result<Known, String>>;
+
+/// The values of a model at places with their ends, and what is found about them. Ends of several
+/// places, for a picture, are not sought between those of the ranges and 64 points.
+fn values(scenes: &Scenes, compiled: &Compiled, places: &[At]) -> (Vec<Cells>, Vec<Finding>) {
+    let [file, ..] = &**scenes else { return Default::default() };
+    let quantities = quantities(file);
+    let is_flat = file.shape().is_none();
+    let of_line = |line: &Line| -> Cells {
         let known = |value, bound, ends: Option<[f64; 2]>| {
             let source = ends.map_or(Source::Model, |_| Source::Evidence);
             Known { value, bound, ends, source, ranged: false }
@@ -200,26 +235,60 @@ fn values(
             let ends = interval.as_ref().map(|of| [of.lower, of.upper]);
             found.as_ref().map(|found| known(found.value(), Some(found.bound(*quantity)), ends))
         });
-        let is_flat = scenes[0].shape().is_none();
         let all = is_flat.then_some(separation).into_iter().chain(values);
         all.map(|found| found.map_err(|error| error.to_string())).collect()
     };
-    let rows = middle.iter().enumerate().map(|(row, line)| {
-        let ends: Vec<_> = ends.iter().map(|lines| of_line(&lines[row])).collect();
-        let within = |(column, found): (usize, Result<Known, String>)| {
-            let ends = ends.iter().map(|end| end[column].as_ref().ok().copied());
-            found?.within(ends).ok_or_else(|| NO_RANGE.into())
+    let mut all = scenes.iter().zip(&compiled.all).map(|(file, asked)| asked.lines(file, places));
+    let Some((middle, warnings)) = all.next() else { return Default::default() };
+    let mut rows: Vec<Cells> = middle.iter().map(of_line).collect();
+    let Some((ranges, search)) = &scenes.ranges else { return (rows, warnings) };
+    // Both ends of each value, row by row; the first of them stands for both without an interval.
+    let ends = |cells: &Cells| -> Numbers {
+        let of_cell = |cell: &Result<Known, String>| {
+            let known = cell.as_ref().ok();
+            [0, 1].map(|end| Some(known?.ends.map_or(known?.value, |ends| ends[end])))
         };
-        of_line(line).into_iter().enumerate().map(within).collect()
-    });
-    (rows.collect(), warnings)
+        cells.iter().flat_map(of_cell).collect()
+    };
+    let numbers = |(lines, _): (Vec<Line>, _)| -> Numbers {
+        lines.iter().map(of_line).flat_map(|row| ends(&row)).collect()
+    };
+    let first = all.map(numbers).collect();
+    let middle: Numbers = rows.iter().flat_map(ends).collect();
+    let is_picture = places.len() > 1;
+    let has_own = |cell: &Result<Known, String>| cell.as_ref().is_ok_and(|one| one.ends.is_some());
+    let sought = |cell: &Result<Known, String>| match has_own(cell) {
+        _ if is_picture => [[false; 2]; 2],
+        true => [[true, false], [false, true]],
+        false => [[true; 2], [false; 2]],
+    };
+    let sought: Vec<[bool; 2]> = rows.iter().flatten().flat_map(sought).collect();
+    let fill = |shares: &[Vec<f64>]| {
+        let at = |shares: &Vec<f64>| {
+            let file = ranges.at(shares)?;
+            Ok::<_, Refusal>(numbers(asked(&file, &compiled.id, places)?.lines(&file, places)))
+        };
+        shares.iter().map(at).collect::<Result<Vec<Numbers>, Refusal>>()
+    };
+    let found = search.ends(&middle, first, &sought, fill);
+    for (place, cell) in rows.iter_mut().flatten().enumerate() {
+        let second = usize::from(has_own(cell));
+        let ends = found.as_ref().map_err(|refused| refused.message.clone()).and_then(|found| {
+            let [lower, upper] = [found[2 * place], found[2 * place + second]];
+            let ends = lower.and_then(|lower| Ok([lower[0], upper?[1]]));
+            ends.map_err(|why| why.text().to_string())
+        });
+        let known = std::mem::replace(cell, Err(String::new()));
+        *cell = known.and_then(|known| Ok(known.between(ends?)));
+    }
+    (rows, warnings)
 }
 
 /// The values of a model at one load.
 #[derive(Debug, Default)]
 pub(crate) struct Row {
     pub(crate) model: String,
-    pub(crate) cells: Vec<Result<Known, String>>,
+    pub(crate) cells: Cells,
     /// Why there are none.
     pub(crate) reason: Option<String>,
     /// Why no contact has them.
@@ -231,10 +300,11 @@ pub(crate) struct Row {
 
 impl Row {
     /// A compiled model at a load.
-    pub(crate) fn of(scenes: &[SceneFile], id: &str, asked: &[Asked], at: At) -> Self {
+    pub(crate) fn of(scenes: &Scenes, compiled: &Compiled, at: At) -> Self {
+        let id = &*compiled.id;
         let mut row = Self { model: id.into(), ..Self::default() };
-        let (Some(file), Some(own)) = (scenes.first(), asked.first()) else { return row };
-        let (mut cells, warnings) = values(scenes, asked, &[at]);
+        let (Some(file), Some(own)) = (scenes.first(), compiled.all.first()) else { return row };
+        let (mut cells, warnings) = values(scenes, compiled, &[at]);
         row.cells = cells.pop().unwrap_or_default();
         let [mut found, _] = own.findings(file, &[at]);
         // Values may be impossible because of an implausible input.
@@ -280,10 +350,10 @@ impl Row {
 
 /// The rows of a model at pressures, as a csv without its head; blank where there is no value. Of
 /// a surface that is known within ranges, each value has its ends behind it.
-pub(crate) fn rows(scenes: &[SceneFile], id: &str, asked: &[Asked], pressures: &[f64]) -> String {
+pub(crate) fn rows(scenes: &Scenes, compiled: &Compiled, pressures: &[f64]) -> String {
     let span = Span::of(&scenes[0]);
     let places: Vec<At> = pressures.iter().map(|pressure| span.at(*pressure)).collect();
-    let (rows, _) = values(scenes, asked, &places);
+    let (rows, _) = values(scenes, compiled, &places);
     let digits = |number: Option<f64>| {
         number.filter(|n| n.is_finite()).map_or(String::new(), shortest_digits)
     };
@@ -297,7 +367,7 @@ pub(crate) fn rows(scenes: &[SceneFile], id: &str, asked: &[Asked], pressures: &
             [known.map(|known| known.value)].into_iter().chain(ends)
         });
         let cells: Vec<String> = place.into_iter().chain(values).map(digits).collect();
-        csv += &format!("{id},{}\n", cells.join(","));
+        csv += &format!("{},{}\n", compiled.id, cells.join(","));
     }
     csv
 }
@@ -312,19 +382,20 @@ pub(crate) fn head(columns: &[Column], with_ends: bool) -> String {
 mod tests {
     use super::*;
 
-    fn scenes() -> [SceneFile; 1] {
-        [asperity_scene::parse(asperity_scene::template(), std::path::Path::new(".")).unwrap()]
+    fn scenes() -> Scenes {
+        let file = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
+        Scenes::of(&file.unwrap())
     }
 
-    fn of(scenes: &[SceneFile], id: &str, at: At) -> Row {
-        Row::of(scenes, id, &compile(scenes, id).unwrap(), at)
+    fn of(scenes: &Scenes, id: &str, at: At) -> Row {
+        Row::of(scenes, &compile(scenes, id).unwrap(), at)
     }
 
     #[test]
     fn rows_and_curves_are_the_answers_of_the_library() {
         let scenes = scenes();
         let ke = compile(&scenes, "ke").unwrap();
-        let row = Row::of(&scenes, "ke", &ke, At::Pressure(1e6));
+        let row = Row::of(&scenes, &ke, At::Pressure(1e6));
         let request = Request::new(quantities(&scenes[0])).at([At::Pressure(1e6)]);
         let response = scenes[0].model("ke").unwrap().solve(&scenes[0].scene, &request).unwrap();
         for (k, quantity) in (1..).zip(quantities(&scenes[0])) {
@@ -332,7 +403,7 @@ mod tests {
             assert!((found.value / wanted - 1.0).abs() < 1e-13, "{quantity}: {found:?} {wanted}");
             assert!(found.bound.unwrap() < 1e-9);
         }
-        let csv = rows(&scenes, "ke", &ke, &[1e6, 2e6]);
+        let csv = rows(&scenes, &ke, &[1e6, 2e6]);
         let first: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
         let head = head(&columns(Some(&scenes[0])), false);
         assert_eq!(first.len(), head.split(',').count());
@@ -353,7 +424,7 @@ mod tests {
 
     fn is_marked(text: &str, id: &str, at: At) -> bool {
         let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
-        of(&[file], id, at).mark.is_some()
+        of(&Scenes::of(&file), id, at).mark.is_some()
     }
 
     #[test]

@@ -3,13 +3,12 @@
 use std::collections::BTreeMap;
 
 use asperity::{BestContact, Code, Finding, Model, SolvedContact, Tolerance};
-use asperity_answer::Asked;
 use asperity_scene::{HandedFiles, SceneFile};
 use asperity_topography::Topography;
 use serde_json::{Value, json};
 
 use crate::advice::BEST;
-use crate::answer::Row;
+use crate::answer::{Compiled, Row, Scenes};
 use crate::files::{admit, usable};
 use crate::message::{Message, Solved};
 use crate::refusal::Refusal;
@@ -26,9 +25,9 @@ pub struct Desk {
     file: Option<SceneFile>,
     /// The scene or, where its surface is known within ranges, those in the middle of these and at
     /// every combination of their ends.
-    scenes: Vec<SceneFile>,
+    scenes: Scenes,
     /// Models on all of these, or why the scene refuses them.
-    compiled: BTreeMap<String, Result<Vec<Asked>, String>>,
+    compiled: BTreeMap<String, Result<Compiled, String>>,
     /// What stands behind the answers on the first of these.
     best: Option<BestContact<Model>>,
     /// The text whose surface was described in another way, and what was made of it.
@@ -104,7 +103,7 @@ impl Desk {
     /// Takes what was solved on the scan as an input of the answer.
     fn take_solved(&mut self, solved: &[Solved]) {
         let solved: Vec<SolvedContact> = solved.iter().map(Solved::contact).collect();
-        if let Some(file) = self.scenes.first_mut().filter(|file| file.solved != solved) {
+        if let Some(file) = self.scenes.all.first_mut().filter(|file| file.solved != solved) {
             file.solved = solved;
             self.best = None;
             self.compiled.remove(BEST);
@@ -135,7 +134,7 @@ impl Desk {
                 self.compile(models.iter().map(String::as_str));
                 let rows = models.iter().filter_map(|id| {
                     let asked = self.compiled.get(id)?.as_ref().ok()?;
-                    Some((id, answer::rows(&self.scenes, id, asked, &pressures)))
+                    Some((id, answer::rows(&self.scenes, asked, &pressures)))
                 });
                 json!(rows.collect::<BTreeMap<_, _>>())
             }
@@ -181,16 +180,7 @@ impl Desk {
         let named = fields::files(text);
         self.files.retain(|name, _| named.contains(name));
         if let Some(file) = &file {
-            self.scenes = match file.points() {
-                Ok(points) => {
-                    let corners = points.corners().count();
-                    let all = points.all.into_iter();
-                    // Each point of curved bodies is a solution.
-                    let most = if file.shape().is_some() { corners } else { all.len() };
-                    [points.middle].into_iter().chain(all.take(most)).collect()
-                }
-                Err(_) => vec![file.clone()],
-            };
+            self.scenes = Scenes::of(file);
         }
         self.file = file;
         found
@@ -210,7 +200,7 @@ impl Desk {
             return Err(no_scene());
         };
         let row = |id: &str| match compiled.get(id) {
-            Some(Ok(asked)) => Row::of(scenes, id, asked, load.at),
+            Some(Ok(asked)) => Row::of(scenes, asked, load.at),
             other => {
                 let reason = other.and_then(|refused| refused.as_ref().err().cloned());
                 Row { model: id.into(), reason, ..Row::default() }

@@ -179,7 +179,7 @@ fn readings(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::{compile, rows};
+    use crate::answer::{Scenes, compile, rows};
     use crate::span::LoadKeys;
 
     fn file() -> SceneFile {
@@ -196,9 +196,9 @@ mod tests {
     fn curves_have_band_mark_and_points() {
         let file = file();
         let pressures = [1e5, 1e6, 1e7, 1e8];
-        let scenes = [file];
-        let of = |id| rows(&scenes, id, &compile(&scenes, id).unwrap(), &pressures);
-        let (rows, [file]) = (["gw", "ke"].map(of), &scenes);
+        let scenes = Scenes::of(&file);
+        let of = |id| rows(&scenes, &compile(&scenes, id).unwrap(), &pressures);
+        let (rows, file) = (["gw", "ke"].map(of), &scenes[0]);
         let draw = |rows: &[String], view: &str, load: &str, solved: &[[f64; 2]]| {
             curves(file, &asked(rows, view, load, solved))
         };
@@ -227,9 +227,8 @@ mod tests {
         let ground = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
             poissons_ratio = 0.3\nhardness = 2e9\n[surface]\nra = 8e-7\nfinish = \"ground\"\n";
         let file = asperity_scene::parse(ground, std::path::Path::new(".")).unwrap();
-        let points = file.points().unwrap();
-        let scenes: Vec<SceneFile> = [points.middle].into_iter().chain(points.all).collect();
-        let of = |id| rows(&scenes, id, &compile(&scenes, id).unwrap(), &[1e5, 1e6, 1e7]);
+        let scenes = Scenes::of(&file);
+        let of = |id| rows(&scenes, &compile(&scenes, id).unwrap(), &[1e5, 1e6, 1e7]);
         let all = ["gw", "ke"].map(of);
         let svg = curves(&file, &asked(&all, "tangent", "100 N", &[])).unwrap();
         assert_eq!(svg.matches(">lower to upper end<").count(), 1);
@@ -246,9 +245,9 @@ mod tests {
     #[test]
     fn a_picture_without_a_curve_has_the_reason_and_one_with_some_names_these() {
         let file = file();
-        let scenes = [file];
-        let of = |id| rows(&scenes, id, &compile(&scenes, id).unwrap(), &[1e5, 1e6, 1e7]);
-        let (rows, [file]) = (["persson-fudge", "gw"].map(of), &scenes);
+        let scenes = Scenes::of(&file);
+        let of = |id| rows(&scenes, &compile(&scenes, id).unwrap(), &[1e5, 1e6, 1e7]);
+        let (rows, file) = (["persson-fudge", "gw"].map(of), &scenes[0]);
         let draw = |rows: &[String], view: &str, solved: &[[f64; 2]]| {
             curves(file, &asked(rows, view, "100 N", solved))
         };
