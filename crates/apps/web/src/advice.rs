@@ -241,7 +241,11 @@ mod tests {
                 .answer(&file, &mut answered)
                 .unwrap();
             let request = Request::new(quantities).at(at);
-            Inquiry::new(&file, vec![best.clone()], request).answer(&mut drawn, &Silent).unwrap();
+            let fill = |file: &SceneFile, sheet: &mut Sheet| {
+                let best = vec![file.model(BEST)?];
+                Inquiry::new(file, best, request.clone()).answer(sheet, &Silent)
+            };
+            asperity_answer::with_ranges(&file, &mut drawn, fill).unwrap();
             drawn.add_per_area(file.scene.nominal_area);
             let export = Export {
                 subject: Subject { file: &file, name: "", id: BEST, model: &best, tolerance },
