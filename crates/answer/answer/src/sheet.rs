@@ -132,9 +132,9 @@ impl Sheet {
         }
     }
 
-    /// Adds findings, most severe first.
+    /// Adds findings, most severe first, unless they stand there already.
     pub fn extend(&mut self, findings: Findings) {
-        self.findings.extend(findings);
+        findings.into_iter().for_each(|found| self.add_once(found));
     }
 }
 
