@@ -146,7 +146,6 @@ mod tests {
     fn a_leak_beyond_the_fit_of_its_flow_is_warned_of() {
         // Against the BGK equation, 4.3 % low from 1000 Pa to a vacuum through 1 um.
         assert_eq!(found(1e3, 0.0, 1e-6), Some(Code::BeyondFit));
-        assert_eq!(found(1.0, 1e3, 1e-6), Some(Code::BeyondFit));
         assert_eq!(found(1e6, 0.0, 1e-6), None);
         assert_eq!(found(1e3, 9e2, 1e-6), None);
         assert_eq!(found(1.0, 0.9, 1e-6), Some(Code::BeyondFit));
