@@ -149,19 +149,27 @@ impl Ends<'_> {
         let ends: Vec<Vec<Result<[f64; 2], NoEnds>>> = (0..sheet.rows.len())
             .map(|row| columns.iter().map(|column| ends(row, *column)).collect())
             .collect();
-        let mut blank = [(NoEnds::Missing, 0), (NoEnds::Growing, 0)];
+        let answers = answers(&sheet.heads);
+        let mut found = [NoEnds::Missing, NoEnds::Growing].map(|why| (why, [0; 2]));
+        let mut count = |why: Option<NoEnds>, kind: usize| {
+            let counts = found.iter_mut().filter(|(of, _)| Some(*of) == why);
+            counts.for_each(|(_, counts)| counts[kind] += 1);
+        };
         // From the last, so that the places of the others stay.
         for (k, column) in columns.into_iter().enumerate().rev() {
             let interval = of_interval(&sheet.heads[column]);
             for (row, ends) in sheet.rows.iter_mut().zip(&ends) {
                 let ends = ends[k];
+                let number = |column: usize| row[column].number();
                 if let Some(end) = interval {
+                    let is_answer = end == 0 && answers[column].and_then(number).is_some();
+                    count(ends.err().filter(|_| is_answer), 1);
                     row[column] = ends.ok().map(|ends| ends[end]).into();
                     continue;
                 }
-                if let Some(why) = ends.err().filter(|_| row[column].number().is_some()) {
+                if ends.is_err() && number(column).is_some() {
+                    count(ends.err(), 0);
                     row[column] = Cell::BLANK;
-                    blank.iter_mut().filter(|(of, _)| *of == why).for_each(|(_, n)| *n += 1);
                 }
                 let ends = [0, 1].map(|end| Cell::from(ends.ok().map(|ends| ends[end])));
                 row.splice(column + 1..column + 1, ends);
@@ -171,8 +179,18 @@ impl Ends<'_> {
                 sheet.heads.splice(column + 1..column + 1, heads);
             }
         }
-        for (why, count) in blank.into_iter().filter(|(_, count)| *count > 0) {
-            sheet.warn(Code::NoValue, format!("{count} values are blank: {}", why.text()));
+        for (why, [blank, open]) in found {
+            for (count, [one, many]) in [
+                (blank, ["one value is blank", "values are blank"]),
+                (open, ["one value has no ends", "values have no ends"]),
+            ] {
+                let text = match count {
+                    0 => continue,
+                    1 => format!("{one}: {}", why.text()),
+                    _ => format!("{count} {many}: {}", why.text()),
+                };
+                sheet.warn(Code::NoValue, text);
+            }
         }
     }
 

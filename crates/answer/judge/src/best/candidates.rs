@@ -44,22 +44,34 @@ impl<M: Answering> Candidate<M> {
         self.contact.evaluate(Quantity::Force, at)
     }
 
-    /// Why it is not valid at a place, if it is not.
-    pub(super) fn outside(&self, at: At) -> Option<Finding> {
+    /// How it is judged at a place.
+    pub(super) fn judged(&self, at: At) -> Judged {
         let contact = &*self.contact;
         let found = Check::answers(&self.model, contact.scene(), Some(contact), &[at]);
         let limits = |one: &Finding| {
             one.code.is_of_model() || matches!(one.code, Code::Crowded | Code::Tabor)
         };
-        found.into_iter().find(|one| one.severity < Severity::Note && limits(one))
+        let warnings = || found.iter().filter(|one| one.severity < Severity::Note);
+        let outside = warnings().find(|one| limits(one)).cloned();
+        let deep = warnings().find(|one| one.code == Code::Deep).cloned();
+        Judged { outside, deep }
     }
+}
+
+/// How a model is judged at a place.
+#[derive(Debug)]
+pub(super) struct Judged {
+    /// Why it is not valid there, if it is not.
+    pub(super) outside: Option<Finding>,
+    /// That asperities are pressed in deeply, as with any law of spheres.
+    pub(super) deep: Option<Finding>,
 }
 
 /// A model that may answer, compiled where its answer is needed; none where the scene refuses it.
 pub(super) type OnDemand<M> = (M, OnceLock<Option<Candidate<M>>>);
 
-/// Why each of the candidates is not valid at a place, if it is not, where that was asked for.
-pub(super) type Judged = OnceLock<Vec<OnceLock<Option<Finding>>>>;
+/// How each of the candidates is judged at a place, where that was asked for.
+pub(super) type AllJudged = OnceLock<Vec<OnceLock<Judged>>>;
 
 /// A place of an answer.
 #[derive(Debug)]
@@ -67,7 +79,7 @@ pub(super) struct Place {
     /// Mean pressure \[Pa\]; none at a separation outside of all evidence.
     pub(super) pressure: Option<f64>,
     pub(super) expected: Result<ExpectedContact, ContactError>,
-    pub(super) judged: Judged,
+    pub(super) judged: AllJudged,
 }
 
 /// Shared, as several quantities are asked for at a place.

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::candidates::{Candidate, Judged, OnDemand};
+use super::candidates::{AllJudged, Candidate, Judged, OnDemand};
 use super::contact::BestContact;
 use super::model::Answering;
 use crate::evidence::{Compared, ExpectedContact};
@@ -41,16 +41,16 @@ impl<M: Answering> BestContact<M> {
     /// looked at is not computed.
     fn candidates<'a, 'j>(
         &'a self,
-        judged: &'j Judged,
+        judged: &'j AllJudged,
         at: At,
-    ) -> impl Iterator<Item = (&'a Candidate<M>, &'j Option<Finding>)> {
+    ) -> impl Iterator<Item = (&'a Candidate<M>, &'j Judged)> {
         let models = self.models();
         let judged = judged.get_or_init(|| models.iter().map(|_| OnceLock::new()).collect());
-        models.iter().zip(judged).filter_map(move |((model, made), outside)| {
+        models.iter().zip(judged).filter_map(move |((model, made), judged)| {
             let made =
                 made.get_or_init(|| Candidate::new(model.clone(), &self.scene, &self.request));
             let one = made.as_ref()?;
-            Some((one, outside.get_or_init(|| one.outside(at))))
+            Some((one, judged.get_or_init(|| one.judged(at))))
         })
     }
 
@@ -62,8 +62,8 @@ impl<M: Answering> BestContact<M> {
     ) -> Result<(&Candidate<M>, f64, Option<Finding>), ContactError> {
         let place = self.place(at);
         let (mut invalid, mut refused, mut failed) = (None, None, None);
-        for (one, why) in self.candidates(&place.judged, at) {
-            match (one.value(of, at), why) {
+        for (one, judged) in self.candidates(&place.judged, at) {
+            match (one.value(of, at), &judged.outside) {
                 (Ok(value), None) => return Ok((one, value, None)),
                 // No contact carries or has so much.
                 (Ok(_), Some(why))
@@ -94,7 +94,8 @@ impl<M: Answering> BestContact<M> {
         let wanted = expected.estimate(of)?.value;
         let at = At::Pressure(expected.pressure);
         let place = self.place(at);
-        let valid = self.candidates(&place.judged, at).filter(|(_, outside)| outside.is_none());
+        let valid =
+            self.candidates(&place.judged, at).filter(|(_, judged)| judged.outside.is_none());
         let known = valid.filter_map(|(one, _)| Some((one, one.value(of, at).ok()?)));
         let off = |value: f64| match of {
             Compared::MeanGap => (value - wanted).abs(),
@@ -113,19 +114,26 @@ impl<M: Answering> BestContact<M> {
         nearest.or_else(first).map(|one| &one.model)
     }
 
+    /// That the asperities of the model whose value is the answer are pressed in deeply, if they are.
+    pub(super) fn deep(&self, id: &str, at: At) -> Option<Finding> {
+        let place = self.place(at);
+        let mut all = self.candidates(&place.judged, at);
+        all.find(|(one, _)| one.model.id() == id)?.1.deep.clone()
+    }
+
     /// Every model that may answer beside the answer, preferred first.
     #[must_use]
     pub fn others(&self, at: At) -> Vec<Other<M>> {
         let place = self.place(at);
         let all = self.candidates(&place.judged, at);
-        let other = |(one, outside): (&Candidate<M>, &Option<Finding>)| {
+        let other = |(one, judged): (&Candidate<M>, &Judged)| {
             let off = |of: &Compared| {
                 let (own, answer) = (one.value(*of, at).ok()?, self.known(*of, at).ok()?.value);
                 Some((*of, own / answer - 1.0))
             };
             let relative = Compared::ALL.iter().filter(|of| of.quantity().is_some());
             let off = relative.filter_map(off).collect();
-            Other { model: one.model.clone(), off, outside: outside.clone() }
+            Other { model: one.model.clone(), off, outside: judged.outside.clone() }
         };
         all.map(other).collect()
     }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use asperity::{At, Quantity, Severity, Tolerance};
+use asperity::{At, Code, Quantity, Severity, Tolerance};
 use asperity_answer::{Sheet, lines, scene_findings, solve, title, with_ranges};
 use clap::Args;
 
@@ -38,7 +38,8 @@ pub struct Answer {
     /// Solve the scan of the scene at these loads by boundary elements, and answer with that
     #[arg(long)]
     solve: bool,
-    /// Relative tolerance of values of models, from 1e-15 to 0.1
+    /// Relative tolerance of values of models, from 1e-15 to 0.1; of curved bodies from 1e-8, and 1e-6
+    /// in place of the default
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
     tolerance: Tolerance,
     #[command(flatten)]
@@ -79,15 +80,17 @@ impl Answer {
                 return with_ranges(file, sheet, fill).map(|()| None);
             }
             let basis = asked.answer(file, sheet)?;
-            // One for each code, the most severe first.
+            // The most severe first, of these a value without ends.
             let found = std::mem::take(&mut sheet.findings);
             let found = found.into_iter().filter(|one| one.severity < Severity::Note);
             sheet.findings = found.collect();
-            sheet.findings.sort_by_key(|one| one.severity);
+            sheet.findings.sort_by_key(|one| (one.severity, one.code != Code::NoValue));
             let more = sheet.findings.len().saturating_sub(MOST_FINDINGS);
             sheet.findings.truncate(MOST_FINDINGS);
-            if more > 0 {
-                sheet.result(format!("{more} more warnings: --all prints them"));
+            match more {
+                0 => {}
+                1 => sheet.result("one more warning: --all prints it"),
+                more => sheet.result(format!("{more} more warnings: --all prints them")),
             }
             Ok(Some(basis))
         };
