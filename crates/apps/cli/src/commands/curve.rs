@@ -45,10 +45,7 @@ const PLACES: [&str; 5] = ["load_N", "pressure_Pa", "film_m", "lambda", "separat
 
 /// Tabulate or plot quantities against separation, load or pressure
 #[derive(Debug, Args)]
-#[command(
-    mut_arg("format", |arg| arg.default_value("auto")),
-    after_help = include_str!("../help/curve.txt")
-)]
+#[command(after_help = include_str!("../help/curve.txt"))]
 pub struct Curve {
     #[command(flatten)]
     asked: ModelArgs,

@@ -26,10 +26,7 @@ const POINTS: [usize; 2] = [101, 21];
 
 /// A joint that opens, follows a history of loads or, with --friction, slips
 #[derive(Debug, Args)]
-#[command(
-    mut_arg("format", |arg| arg.default_value("auto")),
-    after_help = include_str!("../help/joint.txt")
-)]
+#[command(after_help = include_str!("../help/joint.txt"))]
 pub struct Joint {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]

@@ -15,7 +15,7 @@ use crate::output::{self, table::Format};
 #[derive(Debug, Args)]
 #[command(
     mut_arg("format", |arg| arg
-        .value_parser(PossibleValuesParser::new(["csv", "json", "table", "bibtex"]).try_map(format))
+        .value_parser(PossibleValuesParser::new(["csv", "json", "table", "auto", "bibtex"]).try_map(format))
         .help("How the list is written; bibtex has the sources of models")),
     after_help = include_str!("../help/list.txt")
 )]

@@ -117,7 +117,7 @@ impl PressArgs {
 #[derive(Debug, Args)]
 pub struct OutputArgs {
     /// Format of the result
-    #[arg(long, value_name = "FORM", default_value = "table")]
+    #[arg(long, value_name = "FORM", default_value = "auto")]
     pub format: Format,
     /// Write to this file, which is overwritten, instead of standard output
     #[arg(long, value_name = "FILE")]
