@@ -1,12 +1,11 @@
 //! Figures 4 to 10 of Amini & Tehrani (2020).
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use asperity::{Quantity, Scene, linspace};
 use asperity_plot::{Axis, Curve, Figure};
 use rayon::prelude::*;
 
 use super::models::{self, PAPER, beside, named, panel, separation_axis, solve};
-use crate::folder::root;
 use crate::table::Table;
 
 /// σ_z of figures 4, 6 and 8 [m], with their keys and names; assumed, because the paper does not
@@ -68,36 +67,12 @@ pub fn roughness_figure(quantity: Quantity) -> Result<Figure> {
     Ok(figure(quantity, &named(&curves)))
 }
 
-/// The picture of [`nine_models`].
+/// The picture of [`nine_models`], and of [`kucharski`].
 pub fn models_figure(quantity: Quantity) -> Result<Figure> {
     Ok(figure(quantity, &models::curves(&PAPER)?))
 }
 
-/// Area of all models for Kucharski's steel, and the measured points of figure 10 if
-/// `data/kucharski.csv` has them.
+/// Area of all models for Kucharski's steel.
 pub fn kucharski() -> Result<Table> {
-    let mut table = all_models(Quantity::Area, &models::kucharski()?)?;
-    let path = root().join("xtask/data/kucharski.csv");
-    if path.exists() {
-        let mut csv = csv::Reader::from_path(&path)?;
-        let head: Vec<&str> = csv.headers()?.iter().collect();
-        ensure!(head == ["separation_m", "area_m2"], "{}: another head", path.display());
-        for row in csv.deserialize::<[f64; 2]>() {
-            table.push(&["measured"], row?)?;
-        }
-    }
-    Ok(table)
-}
-
-/// The picture of [`kucharski`].
-pub fn kucharski_figure(csv: &str) -> Result<Figure> {
-    let mut curves = models::curves(&PAPER)?;
-    let mut points = "No measured points are included: markers distinguish the curves.";
-    if csv.lines().any(|line| line.starts_with("measured,")) {
-        curves.push(Curve::points(10, "measured", "measured"));
-        points = "{markers}";
-    }
-    let mut figure = figure(Quantity::Area, &curves);
-    figure.caption = vec![points.into()];
-    Ok(figure)
+    all_models(Quantity::Area, &models::kucharski()?)
 }
