@@ -264,6 +264,20 @@ pub fn solve(file: &SceneFile, at: &[At], watch: &dyn Watch) -> Outcome<Vec<Solv
     Ok(solved.collect())
 }
 
+/// What boundary elements gave at a mean pressure \[Pa\], an input of answers: values by the names of
+/// quantities and `mean-gap`, without those that are not finite, and the codes of its notes.
+pub fn solved_contact(
+    pressure: f64,
+    value: impl Fn(&str) -> Option<f64>,
+    notes: &[String],
+) -> SolvedContact {
+    let named = ["area-fraction", "tangent", "unloading-stiffness", "mean-gap"];
+    let finite = |(name, of)| Some((of, value(name).filter(|value| value.is_finite())?));
+    let values = named.into_iter().zip(Compared::ALL).filter_map(finite).collect();
+    let codes: Vec<Code> = notes.iter().filter_map(|name| Code::named(name).ok()).collect();
+    SolvedContact { pressure, values, uncertain: uncertain(&codes).map(Into::into) }
+}
+
 /// The label of a column of an answer and its unit: the real area is a share of the nominal one.
 fn labelled(head: &str, is_flat: bool) -> Option<(&'static str, &'static str)> {
     if head == GAP {
