@@ -16,6 +16,7 @@ use asperity_scene::INTERFACE;
 use crate::command::{output, run};
 use crate::figures::{FIGURES, captions};
 use crate::folder::{copy, read, remove, root, target_folder, write as save};
+use crate::opened::links;
 use crate::table::{markdown_head, markdown_row};
 
 const CHAPTERS: &str = include_str!("../../crates/apps/web/guide/chapters.txt");
@@ -271,7 +272,8 @@ fn figures() -> Result<String> {
     for (name, ..) in &FIGURES {
         let title = captions::of(name)?.0;
         let file = format!("figures/{name}");
-        text += &format!("![{title}]({file}.svg)\n\n[{title}: numbers]({file}.csv)\n\n");
+        let links = links(name)?;
+        text += &format!("![{title}]({file}.svg)\n\n{links}[{title}: numbers]({file}.csv)\n\n");
     }
     Ok(text)
 }
