@@ -10,8 +10,9 @@ use asperity_plot::{
 
 use super::captions::{of as caption, with_caption};
 use super::models::{beside, of, panel};
-use super::report_csv::{BEFORE, ORDINARY, Row, machine, median, read};
+use super::report_csv::{BEFORE, ORDINARY, Row, machine, median};
 use crate::folder;
+use crate::table::rows;
 
 /// The pictures by name, drawn from the tables in a folder.
 ///
@@ -66,7 +67,7 @@ fn size(error: &str) -> f64 {
 /// Median of times against worst of errors, for each method and setting over all models and
 /// quantities of a panel: `panel,method,error,time`.
 fn summary(csv: &str) -> Result<String> {
-    let rows: Vec<Row> = read(csv)?;
+    let rows: Vec<Row> = rows(csv)?;
     let together =
         |a: &Row, b: &Row| (&a.model, &a.quantity, &a.method) == (&b.model, &b.quantity, &b.method);
     let settings = rows.chunk_by(together).flat_map(|rows| rows.iter().enumerate());

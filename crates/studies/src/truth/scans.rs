@@ -4,7 +4,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use asperity::bem::{BoundaryElements, RandomSurface};
 use asperity::{
     Compared, Evidence, Interface, ProfileMoments, Quantity, Scene, Surface, SurfaceShape,
@@ -19,7 +19,7 @@ use xtask::figures::compared::NOTHING;
 use xtask::figures::models::solve as evaluate;
 use xtask::figures::report_csv::median;
 use xtask::folder::{root, save};
-use xtask::table::{markdown_head, markdown_row};
+use xtask::table::{markdown_head, markdown_row, rows_of};
 
 /// The solved scans, which the table follows.
 const FILE: &str = "scans.csv";
@@ -72,10 +72,6 @@ pub struct Scan {
     stiffness: f64,
     unloading: f64,
     gap: f64,
-}
-
-fn path() -> PathBuf {
-    root().join("crates/studies/data").join(FILE)
 }
 
 /// Solves all scans; returns the path of their numbers.
@@ -150,8 +146,7 @@ fn digits(number: f64) -> f64 {
 /// # Errors
 /// A file that cannot be read.
 pub fn read() -> Result<Vec<Scan>> {
-    let csv = csv::Reader::from_path(path()).context(FILE)?;
-    Ok(csv.into_deserialize().collect::<Result<_, _>>()?)
+    rows_of(&root().join("crates/studies/data").join(FILE))
 }
 
 /// The expected value with the ends of its interval, if there is one, and the solved value.
