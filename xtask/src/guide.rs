@@ -12,6 +12,7 @@ use asperity::{
     Request, Scene, Surface,
 };
 use asperity_scene::INTERFACE;
+use asperity_web::chapter_of;
 
 use crate::command::{output, run};
 use crate::figures::{FIGURES, captions};
@@ -178,14 +179,8 @@ fn models() -> String {
     let mut rows = markdown_head(&["id", "name", "year", "authors", "equations", "valid for"], 0);
     for model in Model::all().into_iter().filter(|model| model.equal().id() == model.id()) {
         let citation = model.citation();
-        let chapter = match model.id().split('-').next() {
-            Some("dmt" | "jkr") | None => "adhesion",
-            Some("cmy" | "mikic") => "conductance",
-            Some("best") => "which-model",
-            Some(stem) => stem,
-        };
         rows += &markdown_row(&[
-            &format!("[`{}`]({chapter}.md)", model.id()),
+            &format!("[`{}`]({}.md)", model.id(), chapter_of(model.id())),
             model.name(),
             &citation.year.to_string(),
             citation.authors,

@@ -65,7 +65,7 @@ pub fn write() -> Result<Vec<PathBuf>> {
 
 /// Models fitted to the loading of each specimen, with their 95 % intervals.
 fn fits() -> Result<Table> {
-    let mut table = Table::new(&closure::FIT_COLUMNS);
+    let mut table = Table::new(&closure::FIT_COLUMNS.split(',').collect::<Vec<_>>());
     for specimen in closure::SPECIMENS {
         let loading = closure::loading(specimen)?;
         let columns = [("separation_m", 0), ("pressure_Pa", 1)].map(|(name, k)| {

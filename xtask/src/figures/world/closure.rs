@@ -23,21 +23,10 @@ const LOWEST: f64 = 1e5;
 /// The file of the fits.
 pub const FITS: &str = "closure-fits.csv";
 /// Its columns.
-pub const FIT_COLUMNS: [&str; 13] = [
-    "specimen",
-    "model",
-    "hardness_Pa",
-    "rms",
-    "asperity_height_std_m",
-    "asperity_height_std_lower_m",
-    "asperity_height_std_upper_m",
-    "asperity_density_per_m2",
-    "asperity_density_lower_per_m2",
-    "asperity_density_upper_per_m2",
-    "separation_offset_m",
-    "separation_offset_lower_m",
-    "separation_offset_upper_m",
-];
+pub const FIT_COLUMNS: &str = "specimen,model,hardness_Pa,rms,\
+    asperity_height_std_m,asperity_height_std_lower_m,asperity_height_std_upper_m,\
+    asperity_density_per_m2,asperity_density_lower_per_m2,asperity_density_upper_per_m2,\
+    separation_offset_m,separation_offset_lower_m,separation_offset_upper_m";
 /// E of the rock \[Pa\], measured; Poisson's ratio is assumed.
 const ROCK: (f64, f64) = (11e9, 0.25);
 /// Assumed \[m\]: loading determines η √R only.
