@@ -128,6 +128,11 @@ def profile(self: Scene, load: float | str, model: str = "best", *, rtol: float 
 _ENDS = {"value": "", "lower": "_lower", "upper": "_upper"}
 
 
+def _columns() -> dict[str, str]:
+    """The heads of columns by the names of quantities, with the mean gap."""
+    return {**_asperity.quantities(), "mean-gap": "mean_gap_m"}
+
+
 def _solved(contacts: Table) -> tuple[list[tuple[float, dict[str, float]]], list[str]]:
     """The rows of ``bem`` as an input of an answer, and the codes of what there is to say."""
     known = {name: head for name, head in _columns().items() if head in contacts.columns}
