@@ -49,9 +49,9 @@ fn scenes(figure: &str) -> Result<Vec<LinkedScene>> {
     let all = |label: &str, scene| {
         vec![LinkedScene { label: label.into(), scene, models: &models::PAPER, view }]
     };
-    let of_at = |(std, _, label): (f64, &str, &str)| {
-        let scene = models::scene(std)?;
-        Ok(LinkedScene { label: label.into(), scene, models: &["at"], view })
+    let of_at = |std: f64| {
+        let scene = models::scene(1e-6 * std)?;
+        Ok(LinkedScene { label: paper::label(std), scene, models: &["at"], view })
     };
     match words.next() {
         Some("kucharski") => Ok(all("Kucharski's steel", models::kucharski()?)),

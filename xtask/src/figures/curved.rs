@@ -17,8 +17,7 @@ pub const WHEEL: &str = "wheel";
 /// A formula for spheres.
 pub const BAHRAMI: &str = "bahrami";
 /// The looks of the two.
-const OTHERS: [(&str, usize, &str); 2] =
-    [(WHEEL, 8, "KE, wheel on rail"), (BAHRAMI, 6, "Bahrami et al., plastic asperities")];
+const OTHERS: [(&str, usize); 2] = [(WHEEL, 8), (BAHRAMI, 6)];
 
 /// Rough spheres: local pressure in the middle, half axis, effective radius, approach, real area.
 pub const SPHERE: [&str; 5] = ["pressure", "axis", "radius", "approach", "area"];

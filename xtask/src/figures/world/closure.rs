@@ -1,7 +1,7 @@
 //! Closure of three fractures: models fitted to loading, and unloading that they predict, beside
 //! the measured one.
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Error, Result};
 use asperity::joints::{Unloading, UnloadingLaw};
 use asperity::{
     At, Body, ContactError, Interface, Model, Quantity, Scene, Separation, Surface, Tolerance,
@@ -33,11 +33,7 @@ const ROCK: (f64, f64) = (11e9, 0.25);
 const RADIUS: f64 = 1e-3;
 /// The specimens' diameter \[m\].
 const DIAMETER: f64 = 0.122;
-pub(super) const LAWS: [(&str, usize, &str, UnloadingLaw); 3] = [
-    ("hertz", 2, "unloading by hertz", UnloadingLaw::Hertz),
-    ("brake", 4, "unloading by brake", UnloadingLaw::Brake),
-    ("etsion", 1, "unloading by etsion", UnloadingLaw::Etsion),
-];
+pub(super) const LAWS: [(&str, usize); 3] = [("hertz", 2), ("brake", 4), ("etsion", 1)];
 pub(super) const MEASURED: [&str; 2] = ["measured loading", "measured unloading"];
 const LOADING: &str = "loading";
 
@@ -103,7 +99,8 @@ pub fn table() -> Result<Table> {
             table.push(&[&key, LOADING], [*closure, force / scene.nominal_area])?;
         }
         let model: Model = fit.1.parse()?;
-        for (name, _, _, law) in LAWS {
+        for (name, _) in LAWS {
+            let law: UnloadingLaw = name.parse().map_err(Error::msg)?;
             let (at, tolerance) = (At::Pressure(highest), Tolerance::new(TOLERANCE)?);
             let unloading = Unloading::new(&model, &scene, at, law, tolerance)?;
             for retreat in linspace(0.0, last, 121) {
@@ -127,7 +124,7 @@ pub fn style(_: &str) -> Result<Figure> {
         Curve::points(3, MEASURED[1], MEASURED[1]),
     ];
     curves.push(Curve::new(8, LOADING, "KE fitted to loading"));
-    curves.extend(named(&LAWS.map(|(key, look, label, _)| (key, look, label))));
+    curves.extend(named(&LAWS));
     let hardnesses = MODELS.iter().filter(|model| model.0 != ELASTIC).map(|model| model.1);
     let cases = hardnesses.flat_map(|hardness| SPECIMENS.map(|specimen| case(specimen, hardness)));
     let panels = cases.map(|case| {

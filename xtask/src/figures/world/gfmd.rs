@@ -26,8 +26,7 @@ pub(super) const PANELS: [&str; 3] = ["area", "gap", "pressure"];
 /// The models drawn.
 const MODELS: [&str; 4] = ["gw", "gw-random", "persson", "persson-fudge"];
 /// Our own solutions, with their looks.
-const OURS: [(&str, usize, &str); 2] =
-    [(PIXELS, 6, "asperity bem, counted pixels"), (BEM, 4, "asperity bem")];
+const OURS: [(&str, usize); 2] = [(PIXELS, 6), (BEM, 4)];
 const BEM: &str = "bem";
 const THEIRS: &str = "simulated";
 const PIXELS: &str = "bem-pixels";
