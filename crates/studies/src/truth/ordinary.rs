@@ -49,12 +49,13 @@ fn percent(share: f64) -> String {
     three.to_string()
 }
 
-/// The cases of all scenes, by scene.
+/// The cases of all scenes.
 ///
 /// # Errors
 /// A scene without a surface of its bandwidth.
-pub fn all() -> Result<Vec<Vec<Case>>> {
-    scenes()?.iter().map(|(name, scene, pressures)| cases(name, scene, pressures)).collect()
+pub fn all() -> Result<Vec<Case>> {
+    let of = |(name, scene, pressures): &Ordinary| cases(name, scene, pressures);
+    Ok(scenes()?.iter().map(of).collect::<Result<Vec<_>>>()?.concat())
 }
 
 /// The cases of a scene, in the order of its pressures.
