@@ -35,7 +35,7 @@ pub fn solve(cases: &[Case], kept: &Kept) -> Result<()> {
                 elements = elements.hardness(hardness)?;
             }
             let sq = surface.moments().m0.sqrt();
-            kept.add(case, seed, &contacts(&elements, &[load], sq, load <= LIGHT)?)?;
+            kept.add(case, &contacts(&elements, &[load], sq, load <= LIGHT)?)?;
         }
     }
     Ok(())
