@@ -1,6 +1,7 @@
 //! The tasks `figures`, `report`, `truth`, `docs`, `guide`, `page` and `dist` of `cargo xtask`.
 //!
-//! `guide` starts the program again with a feature, `report` and `truth` start the studies' program.
+//! `guide` starts the program again with a feature, `report` and `truth` start the program of the
+//! studies.
 
 use std::ffi::OsString;
 use std::process::Command;

@@ -264,8 +264,8 @@ pub fn solve(file: &SceneFile, at: &[At], watch: &dyn Watch) -> Outcome<Vec<Solv
     Ok(solved.collect())
 }
 
-/// What boundary elements gave at a mean pressure \[Pa\], an input of answers: values by the names of
-/// quantities and `mean-gap`, without those that are not finite, and the codes of its notes.
+/// What boundary elements gave at a mean pressure \[Pa\], an input of answers: values by the names
+/// of quantities and `mean-gap`, without those that are not finite, and the codes of its notes.
 pub fn solved_contact(
     pressure: f64,
     value: impl Fn(&str) -> Option<f64>,

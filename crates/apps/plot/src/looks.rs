@@ -1,7 +1,8 @@
 //! The looks of models by their ids: one colour a model in every picture.
 
 /// Ids in the order of their looks.
-const LOOKS: &str = "gw ceb zmc ke etsion jg af gao at jg-cosine ghaednia at-overlap persson persson-fudge persson-plastic cmy dmt jkr jkr-separation mikic";
+const LOOKS: &str = "gw ceb zmc ke etsion jg af gao at jg-cosine ghaednia at-overlap persson \
+    persson-fudge persson-plastic cmy dmt jkr jkr-separation mikic";
 /// Ids with looks of their own behind those.
 const OTHERS: [(&str, usize); 2] = [("at-additive", 34), ("best", 45)];
 /// Endings of ids, and what they add: the colour stays, dash and marker change. None is a black
