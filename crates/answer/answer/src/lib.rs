@@ -27,7 +27,7 @@ mod unloading;
 mod unloading_scan;
 mod watch;
 
-pub use answer::{Answer, Basis, basis, lines, solve, solved_contact, title};
+pub use answer::{Answer, Basis, basis, has_property, lines, solve, solved_contact, title};
 pub use asked::{Asked, Line, NO_EVIDENCE};
 pub use bem::{Press, Pressed, half_grid};
 pub use blanks::Blanks;
