@@ -12,10 +12,12 @@ use asperity::{
     Request, Scene, Surface,
 };
 use asperity_scene::INTERFACE;
+use asperity_web::chapter_of;
 
 use crate::command::{output, run};
 use crate::figures::{FIGURES, captions};
 use crate::folder::{copy, read, remove, root, target_folder, write as save};
+use crate::opened::links;
 use crate::table::{markdown_head, markdown_row};
 
 const CHAPTERS: &str = include_str!("../../crates/apps/web/guide/chapters.txt");
@@ -177,14 +179,8 @@ fn models() -> String {
     let mut rows = markdown_head(&["id", "name", "year", "authors", "equations", "valid for"], 0);
     for model in Model::all().into_iter().filter(|model| model.equal().id() == model.id()) {
         let citation = model.citation();
-        let chapter = match model.id().split('-').next() {
-            Some("dmt" | "jkr") | None => "adhesion",
-            Some("cmy" | "mikic") => "conductance",
-            Some("best") => "which-model",
-            Some(stem) => stem,
-        };
         rows += &markdown_row(&[
-            &format!("[`{}`]({chapter}.md)", model.id()),
+            &format!("[`{}`]({}.md)", model.id(), chapter_of(model.id())),
             model.name(),
             &citation.year.to_string(),
             citation.authors,
@@ -271,7 +267,8 @@ fn figures() -> Result<String> {
     for (name, ..) in &FIGURES {
         let title = captions::of(name)?.0;
         let file = format!("figures/{name}");
-        text += &format!("![{title}]({file}.svg)\n\n[{title}: numbers]({file}.csv)\n\n");
+        let links = links(name)?;
+        text += &format!("![{title}]({file}.svg)\n\n{links}[{title}: numbers]({file}.csv)\n\n");
     }
     Ok(text)
 }

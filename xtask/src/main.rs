@@ -1,7 +1,7 @@
 //! The tasks `figures`, `report`, `truth`, `docs`, `guide`, `page` and `dist` of `cargo xtask`.
 //!
-//! The figures and the documentation are compiled by default; `guide` and `page` start the program
-//! again with a feature, `report` and `truth` start the studies' program.
+//! `guide` starts the program again with a feature, `report` and `truth` start the program of the
+//! studies.
 
 use std::ffi::OsString;
 use std::process::Command;
@@ -80,14 +80,16 @@ fn main() -> Result<()> {
         Task::Truth(study) => return start("truth", &[], &study),
         #[cfg(feature = "guide")]
         Task::Guide => vec![xtask::guide::write()?],
-        #[cfg(feature = "page")]
         Task::Page { serve, keep_module } => {
             let index = xtask::page::write(keep_module)?;
             println!("{}\nthe guide beside it: cargo xtask guide", index.display());
             return if serve { xtask::page::serve(&index.with_file_name("")) } else { Ok(()) };
         }
-        #[allow(unreachable_patterns, reason = "with both features none is left")]
-        _ => return start_again(),
+        #[cfg(not(feature = "guide"))]
+        Task::Guide => {
+            let program = ["run", "--package", "xtask", "--features", "guide", "--", "guide"];
+            return run(cargo().args(program));
+        }
     };
     written.iter().for_each(|path| println!("{}", path.display()));
     Ok(())
@@ -107,11 +109,4 @@ fn compare(names: &[&str]) -> Result<()> {
 fn start(name: &str, build: &[&str], Study { options }: &Study) -> Result<()> {
     let package = ["run", "--package", "asperity-studies"];
     run(cargo().args(package).args(build).args(["--", name]).args(options))
-}
-
-/// Runs the same command in a program with the feature of the task.
-fn start_again() -> Result<()> {
-    let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();
-    let run_with = ["run", "--package", "xtask", "--features"];
-    run(cargo().args(run_with).args(&arguments[..1]).arg("--").args(&arguments))
 }

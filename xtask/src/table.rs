@@ -1,6 +1,12 @@
 //! Tables of numbers as csv text and their comparison, and tables of texts as markdown.
 
-use anyhow::{Result, ensure};
+use std::path::Path;
+
+use anyhow::{Context, Result, ensure};
+use csv::ReaderBuilder;
+use serde::de::DeserializeOwned;
+
+use crate::folder::read;
 
 /// Largest relative difference of committed and fresh numbers: compilers and processors differ by
 /// less, changes of the physics by more.
@@ -66,6 +72,23 @@ pub fn agree_by(a: &str, b: &str, same: impl Fn(f64, f64) -> bool) -> bool {
             && a.split(',').zip(b.split(',')).all(field)
     };
     a.lines().count() == b.lines().count() && a.lines().zip(b.lines()).all(line)
+}
+
+/// The rows of a csv; lines with `#` are comments.
+///
+/// # Errors
+/// A csv with other columns.
+pub fn rows<T: DeserializeOwned>(csv: &str) -> Result<Vec<T>> {
+    let mut reader = ReaderBuilder::new().comment(Some(b'#')).from_reader(csv.as_bytes());
+    Ok(reader.deserialize().collect::<Result<_, _>>()?)
+}
+
+/// The rows of a file, likewise.
+///
+/// # Errors
+/// A file that cannot be read, or has other columns.
+pub fn rows_of<T: DeserializeOwned>(path: &Path) -> Result<Vec<T>> {
+    rows(&read(path)?).with_context(|| path.display().to_string())
 }
 
 /// The head of a markdown table, its last columns aligned to the right.

@@ -11,11 +11,11 @@ use xtask::folder::{root, save};
 use xtask::table::Table;
 
 /// Equivalent modulus, peak pressure of smooth spheres and hardness \[Pa\].
-const MODULUS: f64 = 115e9;
+pub const MODULUS: f64 = 115e9;
 const PEAK: f64 = 1.37e9;
 const HARDNESS: f64 = 4e9;
 /// Roughness, over which the asperities have the radius 500, and η R σ.
-const SIGMA: f64 = 1e-6;
+pub const SIGMA: f64 = 1e-6;
 const RADIUS: f64 = 500.0;
 const DENSITY: f64 = 0.05;
 /// Values of α by decade from 10⁻² to 10.
@@ -25,10 +25,20 @@ const BODIES: [f64; 2] = [0.46, 0.3];
 const LOAD: f64 = 80e3;
 const ROUGH: [f64; 7] = [0.5e-6, 1e-6, 2e-6, 3e-6, 5e-6, 10e-6, 20e-6];
 
-fn scene(sigma: f64) -> Scene {
+/// The scene of a roughness \[m\].
+pub fn scene(sigma: f64) -> Scene {
     let radius = RADIUS * sigma;
     let surface = Surface::new(radius, DENSITY / (radius * sigma), sigma);
     Scene::new(Interface::new(MODULUS, 0.3, HARDNESS), surface, 1.0)
+}
+
+/// The radius of spheres with this α, of their patch when smooth \[m\], and their load \[N\].
+pub fn sphere(alpha: f64) -> [f64; 3] {
+    // α = σ/δ with δ = (π p₀/(2 E))² R.
+    let slope = PI * PEAK / (2.0 * MODULUS);
+    let radius = SIGMA / (alpha * slope * slope);
+    let a = slope * radius;
+    [radius, a, 2.0 / 3.0 * PI * a * a * PEAK]
 }
 
 /// Peak pressure, axis along x and stiffness over those of smooth bodies, behind α.
@@ -64,11 +74,7 @@ pub fn write() -> Result<Vec<PathBuf>> {
     let mut formula = vec![];
     for k in 0..=3 * PER_DECADE {
         let alpha = 0.01 * 10_f64.powf(f64::from(k) / f64::from(PER_DECADE));
-        // α = σ/δ with δ = (π p₀/(2 E))² R.
-        let slope = PI * PEAK / (2.0 * MODULUS);
-        let radius = SIGMA / (alpha * slope * slope);
-        let a = slope * radius;
-        let load = 2.0 / 3.0 * PI * a * a * PEAK;
+        let [radius, a, load] = sphere(alpha);
         let ball = Shape::Point { radius_x: radius, radius_y: radius };
         for id in &CURVES[..3] {
             rows.push((id, ratios(id, SIGMA, ball, load)?));

@@ -172,13 +172,13 @@ pub fn write() -> Result<Vec<PathBuf>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use xtask::table::rows_of;
 
     /// What the guide says of the committed numbers.
     #[test]
     fn models_deviate_by_what_the_guide_says() -> Result<()> {
-        let path = root().join("xtask/data").join(SOLVED);
         let rows: Vec<(String, String, f64, f64)> =
-            csv::Reader::from_path(path)?.deserialize().collect::<Result<_, _>>()?;
+            rows_of(&root().join("xtask/data").join(SOLVED))?;
         let mean = |panel: &str, curve: &str, alpha: f64| {
             let own = rows.iter().filter(|row| row.0 == panel && row.1 == curve);
             let own: Vec<f64> =

@@ -6,12 +6,10 @@ use asperity::{Model, Quantity, Request, linspace};
 use asperity_plot::{Axis, Figure, Mark, Strip};
 use rayon::prelude::*;
 
-use super::models::{self, beside, curve_of, curves, geometric, named, of, panel, separation_axis};
+use super::models::{self, beside, curves, geometric, named, of, panel, separation_axis};
 use crate::table::Table;
 
-/// The readings, with their names in the legend.
-const READINGS: [(&str, &str); 3] =
-    [("at", "AT as printed"), ("at-additive", "AT additive"), ("at-overlap", "AT overlap")];
+const READINGS: [(&str, usize); 3] = [("at", 8), ("at-additive", 34), ("at-overlap", 11)];
 const OTHERS: [&str; 2] = ["gao", "ke"];
 /// Separations over σ_z, a panel each.
 const SEPARATIONS: [f64; 3] = [0.0, 2.0, 4.0];
@@ -69,8 +67,7 @@ fn negative_window(csv: &str, separation: f64) -> Result<Option<(f64, f64)>> {
 
 /// The picture of [`readings`]: a panel for each separation, the negative window shaded.
 pub fn readings_figure(csv: &str) -> Result<Figure> {
-    let curves =
-        [READINGS.map(curve_of).into_iter().collect::<Result<_>>()?, curves(&OTHERS)?].concat();
+    let curves = [named(&READINGS), curves(&OTHERS)?].concat();
     let mut panels = vec![];
     for separation in SEPARATIONS {
         let (x, y) =
@@ -90,12 +87,8 @@ pub fn readings_figure(csv: &str) -> Result<Figure> {
 /// The readings whose regimes are shown, with their titles.
 const SHOWN: [(&str, &str); 2] =
     [("at", "as printed: shares are signed"), ("at-additive", "additive reading")];
-const PARTS: [(&str, usize, &str); 4] = [
-    ("elastic", 0, "elastic (y < 1)"),
-    ("elastic-plastic 1", 1, "ep1 (1 < y < 6)"),
-    ("elastic-plastic 2", 2, "ep2 (6 < y < 110)"),
-    ("plastic", 3, "plastic (y > 110)"),
-];
+const PARTS: [(&str, usize); 4] =
+    [("elastic", 0), ("elastic-plastic 1", 1), ("elastic-plastic 2", 2), ("plastic", 3)];
 
 /// Shares of the force for two readings.
 pub fn shares() -> Result<Table> {

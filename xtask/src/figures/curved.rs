@@ -1,12 +1,12 @@
 //! Curved bodies over smooth ones against roughness, and beside boundary elements: the numbers are
 //! solved by the studies.
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use asperity_plot::{Axis, Curve, Figure, MEASURED, Mark};
 
 use super::models::{beside, curves, named, of, panel};
 use crate::folder::root;
-use crate::table::Table;
+use crate::table::{Table, rows_of};
 
 /// Panels: peak pressure, half axis and stiffness.
 pub const PANELS: [&str; 3] = ["peak", "axis", "stiffness"];
@@ -17,8 +17,7 @@ pub const WHEEL: &str = "wheel";
 /// A formula for spheres.
 pub const BAHRAMI: &str = "bahrami";
 /// The looks of the two.
-const OTHERS: [(&str, usize, &str); 2] =
-    [(WHEEL, 8, "KE, wheel on rail"), (BAHRAMI, 6, "Bahrami et al., plastic asperities")];
+const OTHERS: [(&str, usize); 2] = [(WHEEL, 8), (BAHRAMI, 6)];
 
 /// Rough spheres: local pressure in the middle, half axis, effective radius, approach, real area.
 pub const SPHERE: [&str; 5] = ["pressure", "axis", "radius", "approach", "area"];
@@ -36,10 +35,8 @@ pub const SMOOTH: &str = "bem-smooth";
 /// The committed numbers but those of smooth spheres: panel, curve, alpha and the value.
 fn committed(name: &str, value: &str) -> Result<Table> {
     let mut table = Table::new(&["panel", "curve", "alpha", value]);
-    let path = root().join("xtask/data").join(name);
-    let mut csv = csv::Reader::from_path(&path).with_context(|| path.display().to_string())?;
-    for row in csv.deserialize() {
-        let (panel, curve, alpha, value): (String, String, f64, f64) = row?;
+    let rows = rows_of(&root().join("xtask/data").join(name))?;
+    for (panel, curve, alpha, value) in rows as Vec<(String, String, f64, f64)> {
         if curve != SMOOTH {
             table.push(&[&panel, &curve], [alpha, value])?;
         }

@@ -1,7 +1,7 @@
 //! Loading, and unloading by three laws from three separations; cycles of tangential force, and the
 //! energy dissipated in one.
 
-use anyhow::Result;
+use anyhow::{Error, Result};
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
 use asperity::{At, Model, Quantity, Separation, Tolerance, linspace};
 use asperity_plot::{Axis, Figure, Mark};
@@ -17,14 +17,8 @@ fn closed(at: impl Into<At>, law: UnloadingLaw) -> Result<Unloading> {
 
 /// Closest approaches over σ_z.
 const CLOSEST: [f64; 3] = [0.0, 0.5, 1.0];
-const LAWS: [UnloadingLaw; 3] = [UnloadingLaw::Hertz, UnloadingLaw::Brake, UnloadingLaw::Etsion];
-/// Loading, then the laws, with their looks and names in the legend.
-const BRANCHES: [(&str, usize, &str); 4] = [
-    ("loading", 0, "first loading"),
-    ("hertz", 2, "unloading, hertz"),
-    ("brake", 3, "unloading, brake (Brake 2015)"),
-    ("etsion", 1, "unloading, etsion (Etsion et al. 2005)"),
-];
+/// Loading, then the laws, with their looks.
+const BRANCHES: [(&str, usize); 4] = [("loading", 0), ("hertz", 2), ("brake", 3), ("etsion", 1)];
 
 /// Force and area of the paper's scene, with gaps between the branches.
 pub fn unloading() -> Result<Table> {
@@ -38,7 +32,8 @@ pub fn unloading() -> Result<Table> {
     for ((s, force), area) in separations.iter().zip(force?).zip(area?) {
         table.push(&["loading"], [s * sigma, force, area])?;
     }
-    for (law, (name, ..)) in LAWS.into_iter().zip(&BRANCHES[1..]) {
+    for (name, _) in &BRANCHES[1..] {
+        let law: UnloadingLaw = name.parse().map_err(Error::msg)?;
         for (k, closest) in CLOSEST.into_iter().enumerate() {
             if k > 0 {
                 table.push(&[name], [None::<f64>; 3])?;
@@ -70,17 +65,11 @@ pub fn unloading_figure(_: &str) -> Result<Figure> {
 const FRICTION: f64 = 0.3;
 /// Pressures of the losses \[Pa\] with their curves; the loops are at the second.
 const PRESSURES: [f64; 3] = [1e6, 5e6, 25e6];
-const LOSSES: [(&str, usize, &str); 3] =
-    [("1 MPa", 4, "loss at 1 MPa"), ("5 MPa", 6, "loss at 5 MPa"), ("25 MPa", 8, "loss at 25 MPa")];
+const LOSSES: [(&str, usize); 3] = [("1 MPa", 4), ("5 MPa", 6), ("25 MPa", 8)];
 /// Amplitudes of the loops \[m\].
 const AMPLITUDES: [f64; 3] = [50e-9, 100e-9, 200e-9];
 /// First shift, and the loops.
-const LOOPS: [(&str, usize, &str); 4] = [
-    ("virgin", 0, "first shift"),
-    ("50 nm", 1, "cycles of ±50 nm"),
-    ("100 nm", 2, "cycles of ±100 nm"),
-    ("200 nm", 3, "cycles of ±200 nm"),
-];
+const LOOPS: [(&str, usize); 4] = [("virgin", 0), ("50 nm", 1), ("100 nm", 2), ("200 nm", 3)];
 
 fn joint(pressure: f64) -> Result<PartialSlip> {
     Ok(PartialSlip::new(&closed(At::Pressure(pressure), UnloadingLaw::Hertz)?, FRICTION)?)

@@ -19,11 +19,7 @@ const CIRCULAR: [&str; 7] = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af"];
 const KE: usize = 3;
 const STIFFNESSES: [Quantity; 3] =
     [Quantity::Tangent, Quantity::UnloadingStiffness, Quantity::TangentialStiffness];
-const KINDS: [(&str, usize, &str); 3] = [
-    ("tangent", 8, "first loading, -dF/dd"),
-    ("unloading", 9, "unloading"),
-    ("tangential", 7, "tangential, no slip"),
-];
+const KINDS: [(&str, usize); 3] = [("tangent", 8), ("unloading", 9), ("tangential", 7)];
 /// Assumed, of the two bodies together \[W/(m K)\].
 const CONDUCTIVITY: f64 = 50.0;
 
@@ -67,8 +63,7 @@ pub fn stiffness_figure(_: &str) -> Result<Figure> {
 }
 
 /// The usual correlations, with their looks and names in the legend.
-const CORRELATIONS: [(&str, usize, &str); 2] =
-    [("cmy", 8, "CMY 1969, plastic"), ("mikic", 7, "Mikic 1974, elastic")];
+const CORRELATIONS: [(&str, usize); 2] = [("cmy", 8), ("mikic", 7)];
 
 /// Conductance of every model and of the correlations where they hold, and over KE's.
 pub fn conductance() -> Result<Table> {

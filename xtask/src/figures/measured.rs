@@ -10,8 +10,9 @@ use asperity_plot::{
 
 use super::captions::{of as caption, with_caption};
 use super::models::{beside, of, panel};
-use super::report_csv::{BEFORE, ORDINARY, Row, machine, median, read};
+use super::report_csv::{BEFORE, ORDINARY, Row, machine, median};
 use crate::folder;
+use crate::table::rows;
 
 /// The pictures by name, drawn from the tables in a folder.
 ///
@@ -34,18 +35,8 @@ const WRONG: f64 = 1e-2;
 const ERRORS: (f64, f64) = (1e-16, 1e4);
 
 /// The methods in the order of their looks.
-const METHODS: [&str; 10] = [
-    "compiled",
-    "gauss-legendre-64",
-    "rule",
-    "gauss-kronrod",
-    "gauss-legendre-split",
-    "tanh-sinh",
-    "gsl",
-    "scipy",
-    "simpson",
-    "trapezoid-1001",
-];
+const METHODS: &str = "compiled gauss-legendre-64 rule gauss-kronrod gauss-legendre-split \
+    tanh-sinh gsl scipy simpson trapezoid-1001";
 
 /// The panels and their models.
 const PANELS: [(&str, &str, &[&str]); 2] = [
@@ -66,7 +57,7 @@ fn size(error: &str) -> f64 {
 /// Median of times against worst of errors, for each method and setting over all models and
 /// quantities of a panel: `panel,method,error,time`.
 fn summary(csv: &str) -> Result<String> {
-    let rows: Vec<Row> = read(csv)?;
+    let rows: Vec<Row> = rows(csv)?;
     let together =
         |a: &Row, b: &Row| (&a.model, &a.quantity, &a.method) == (&b.model, &b.quantity, &b.method);
     let settings = rows.chunk_by(together).flat_map(|rows| rows.iter().enumerate());
@@ -98,7 +89,7 @@ fn frontier(csv: &str, machine: &str) -> Result<String> {
     for (key, title, _) in PANELS {
         let x = Axis::new("error", "worst relative error on the hard grid").log();
         let y = Axis::new("time", "median time of an evaluation (ns)").log();
-        let methods = METHODS.into_iter().enumerate().filter(|(_, method)| drawn(key, method));
+        let methods = METHODS.split(' ').enumerate().filter(|(_, method)| drawn(key, method));
         let mut curves: Vec<Curve> =
             methods.map(|(look, method)| Curve::new(look, method, method)).collect();
         curves.iter_mut().for_each(|curve| curve.every_point = true);

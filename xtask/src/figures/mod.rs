@@ -22,7 +22,7 @@ use asperity::Quantity::{Area, Force, Stiffness};
 use asperity_plot::Figure;
 
 use crate::table::Table;
-use paper::{kucharski, kucharski_figure, models_figure, nine_models, roughness, roughness_figure};
+use paper::{kucharski, models_figure, nine_models, roughness, roughness_figure};
 use truth::SHOWN as TRUTH;
 
 /// One figure: the name of its files, what computes its numbers, and what describes its picture
@@ -42,7 +42,7 @@ pub const FIGURES: [FigureSpec; 25] = [
     ("fig07-area-models", || nine_models(Area), |_| models_figure(Area)),
     ("fig08-stiffness-roughness", || roughness(Stiffness), |_| roughness_figure(Stiffness)),
     ("fig09-stiffness-models", || nine_models(Stiffness), |_| models_figure(Stiffness)),
-    ("fig10-area-kucharski", kucharski, kucharski_figure),
+    ("fig10-area-kucharski", kucharski, |_| models_figure(Area)),
     ("laws-single-asperity", laws::table, laws::style),
     ("angle-density", angles::table, angles::style),
     ("at-regime-shares", at::shares, at::shares_figure),

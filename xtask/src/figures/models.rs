@@ -36,19 +36,14 @@ pub fn curves(ids: &[&str]) -> Result<Vec<Curve>> {
             "etsion" => "Etsion",
             _ => model.name(),
         };
-        curve_of((id, label))
+        Ok(Curve::new(look_of(id).with_context(|| format!("{id} has no look"))?, id, label))
     };
     ids.iter().map(curve).collect()
 }
 
-/// The curve of a model under another name.
-pub fn curve_of((id, label): (&str, &str)) -> Result<Curve> {
-    Ok(Curve::new(look_of(id).with_context(|| format!("{id} has no look"))?, id, label))
-}
-
-/// Curves of no model, with their looks, keys and names.
-pub fn named(curves: &[(&str, usize, &str)]) -> Vec<Curve> {
-    curves.iter().map(|(key, look, label)| Curve::new(*look, key, label)).collect()
+/// Curves of no model, with their keys and looks; their labels stand in `captions.txt`.
+pub fn named(curves: &[(&str, usize)]) -> Vec<Curve> {
+    curves.iter().map(|(key, look)| Curve::new(*look, key, "")).collect()
 }
 
 /// A panel with these curves.

@@ -1,29 +1,31 @@
 //! Figures 4 to 10 of Amini & Tehrani (2020).
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use asperity::{Quantity, Scene, linspace};
 use asperity_plot::{Axis, Curve, Figure};
 use rayon::prelude::*;
 
-use super::models::{self, PAPER, beside, named, panel, separation_axis, solve};
-use crate::folder::root;
+use super::models::{self, PAPER, beside, panel, separation_axis, solve};
 use crate::table::Table;
 
-/// σ_z of figures 4, 6 and 8 [m], with their keys and names; assumed, because the paper does not
-/// give it.
-pub const ROUGHNESSES: [(f64, &str, &str); 4] = [
-    (0.5e-6, "sigma_z=0.5e-6", "σ_z = 0.5 µm"),
-    (1.0e-6, "sigma_z=1.0e-6", "σ_z = 1.0 µm"),
-    (1.5e-6, "sigma_z=1.5e-6", "σ_z = 1.5 µm"),
-    (2.0e-6, "sigma_z=2.0e-6", "σ_z = 2.0 µm"),
-];
+/// σ_z of figures 4, 6 and 8 [µm]; assumed, because the paper does not give it.
+pub const ROUGHNESSES: [f64; 4] = [0.5, 1.0, 1.5, 2.0];
 /// σ_z of figures 5, 7 and 9 [m]; assumed.
 pub const ROUGHNESS: f64 = 1.0e-6;
 
+/// The name of a roughness \[µm\].
+pub fn label(std: f64) -> String {
+    format!("σ_z = {std:.1} µm")
+}
+
+fn key(std: f64) -> String {
+    format!("sigma_z={std:.1}e-6")
+}
+
 /// One curve for each (key, model, scene), at d/σ_z of the paper's curves.
-fn curves(quantity: Quantity, list: &[(&str, &str, Scene)]) -> Result<Table> {
+fn curves(quantity: Quantity, list: &[(String, &str, Scene)]) -> Result<Table> {
     let separations = linspace(0.0, 4.0, 201);
-    let solve = |(_, model, scene): &(&str, &str, Scene)| {
+    let solve = |(_, model, scene): &(String, &str, Scene)| {
         Ok(solve(model, scene, &[quantity], separations.iter().copied())?.values(quantity)?)
     };
     let solved: Vec<Vec<f64>> = list.par_iter().map(solve).collect::<Result<_>>()?;
@@ -38,8 +40,8 @@ fn curves(quantity: Quantity, list: &[(&str, &str, Scene)]) -> Result<Table> {
 
 /// A quantity of AT for several roughnesses.
 pub fn roughness(quantity: Quantity) -> Result<Table> {
-    let of = |(std, key, _)| Ok((key, "at", models::scene(std)?));
-    curves(quantity, &ROUGHNESSES.into_iter().map(of).collect::<Result<Vec<_>>>()?)
+    let of = |std: f64| Ok((key(std), "at", models::scene(std * 1e-6)?));
+    curves(quantity, &ROUGHNESSES.map(of).into_iter().collect::<Result<Vec<_>>>()?)
 }
 
 /// A quantity of all models for the paper's scene.
@@ -48,7 +50,7 @@ pub fn nine_models(quantity: Quantity) -> Result<Table> {
 }
 
 fn all_models(quantity: Quantity, scene: &Scene) -> Result<Table> {
-    curves(quantity, &PAPER.map(|id| (id, id, scene.clone())))
+    curves(quantity, &PAPER.map(|id| (id.to_owned(), id, scene.clone())))
 }
 
 /// A linear and a logarithmic panel of the same curves, in units in which the numbers are short.
@@ -64,40 +66,17 @@ fn figure(quantity: Quantity, curves: &[Curve]) -> Figure {
 
 /// The picture of [`roughness`].
 pub fn roughness_figure(quantity: Quantity) -> Result<Figure> {
-    let curves: Vec<_> = ROUGHNESSES.iter().enumerate().map(|(k, of)| (of.1, k, of.2)).collect();
-    Ok(figure(quantity, &named(&curves)))
+    let curve = |(k, std)| Curve::new(k, &key(std), &label(std));
+    let curves: Vec<Curve> = ROUGHNESSES.into_iter().enumerate().map(curve).collect();
+    Ok(figure(quantity, &curves))
 }
 
-/// The picture of [`nine_models`].
+/// The picture of [`nine_models`], and of [`kucharski`].
 pub fn models_figure(quantity: Quantity) -> Result<Figure> {
     Ok(figure(quantity, &models::curves(&PAPER)?))
 }
 
-/// Area of all models for Kucharski's steel, and the measured points of figure 10 if
-/// `data/kucharski.csv` has them.
+/// Area of all models for Kucharski's steel.
 pub fn kucharski() -> Result<Table> {
-    let mut table = all_models(Quantity::Area, &models::kucharski()?)?;
-    let path = root().join("xtask/data/kucharski.csv");
-    if path.exists() {
-        let mut csv = csv::Reader::from_path(&path)?;
-        let head: Vec<&str> = csv.headers()?.iter().collect();
-        ensure!(head == ["separation_m", "area_m2"], "{}: another head", path.display());
-        for row in csv.deserialize::<[f64; 2]>() {
-            table.push(&["measured"], row?)?;
-        }
-    }
-    Ok(table)
-}
-
-/// The picture of [`kucharski`].
-pub fn kucharski_figure(csv: &str) -> Result<Figure> {
-    let mut curves = models::curves(&PAPER)?;
-    let mut points = "No measured points are included: markers distinguish the curves.";
-    if csv.lines().any(|line| line.starts_with("measured,")) {
-        curves.push(Curve::points(10, "measured", "measured"));
-        points = "{markers}";
-    }
-    let mut figure = figure(Quantity::Area, &curves);
-    figure.caption = vec![points.into()];
-    Ok(figure)
+    all_models(Quantity::Area, &models::kucharski()?)
 }

@@ -1,6 +1,5 @@
 //! The tables of the report, `speed-vs-error.csv` and `hard-cases.csv`, as they are read.
 
-use anyhow::Result;
 use serde::{Deserialize, Serialize};
 
 /// A row of `speed-vs-error.csv`; a cell may be empty.
@@ -20,14 +19,6 @@ pub struct Row {
     pub max_relative_error: String,
     /// Mean number of evaluations.
     pub evaluations: String,
-}
-
-/// The rows of a `speed-vs-error.csv`.
-///
-/// # Errors
-/// Another csv.
-pub fn read(text: &str) -> Result<Vec<Row>> {
-    Ok(csv::Reader::from_reader(text.as_bytes()).deserialize().collect::<Result<_, _>>()?)
 }
 
 /// The columns before the methods'.

@@ -5,7 +5,7 @@ use asperity::{Compared, Evidence, EvidenceCase};
 use asperity_plot::{Axis, Between, Curve, Figure, Mark, Panel};
 
 use super::compared::{is_plain, material};
-use super::models::{beside, curve_of, of, panel};
+use super::models::{self, beside, of, panel};
 use crate::table::Table;
 
 /// Pixels per shortest wave of the solved surfaces.
@@ -26,19 +26,8 @@ pub const SHOWN: [Shown; 3] = [
 
 /// Plasticity indices with panels.
 const SHOWN_INDICES: [f64; 3] = [0.0, 2.0, 4.0];
-/// The models drawn in colour, with their names; the others are grey.
-const DRAWN: [(&str, &str); 10] = [
-    ("gw", "GW"),
-    ("zmc", "ZMC"),
-    ("ke", "KE"),
-    ("jg", "JG"),
-    ("gao", "Gao"),
-    ("gw-random", "GW random"),
-    ("jg-random", "JG random"),
-    ("persson", "Persson"),
-    ("persson-fudge", "Persson fudge"),
-    ("persson-plastic", "Persson plastic"),
-];
+/// The models drawn in colour; the others are grey.
+const DRAWN: &str = "gw zmc ke jg gao gw-random jg-random persson persson-fudge persson-plastic";
 /// Models that have a colour in elastic panels alone: at most six curves of a panel have one.
 const ELASTIC_ONLY: [&str; 4] = ["gw", "gw-random", "persson", "persson-fudge"];
 /// Edges of the band.
@@ -88,8 +77,8 @@ pub fn style(csv: &str, (_, _, label, [low, high]): &Shown) -> Result<Figure> {
         }
         let case = rows[0][0];
         let coloured = |id: &str| case.ends_with("elastic") || !ELASTIC_ONLY.contains(&id);
-        let drawn = DRAWN.iter().filter(|(id, ..)| ids.contains(id) && coloured(id));
-        let mut curves: Vec<Curve> = drawn.copied().map(curve_of).collect::<Result<_>>()?;
+        let drawn = DRAWN.split(' ').filter(|id| ids.contains(id) && coloured(id));
+        let mut curves = models::curves(&drawn.collect::<Vec<_>>())?;
         ids.retain(|id| !curves.iter().any(|curve| curve.key == *id));
         curves.extend(ids.into_iter().map(|id| Curve::faint(id, "other models")));
         let x = Axis::new("p_over_Eg", "p/(E g)").log().range(1e-5, 0.3);

@@ -4,7 +4,7 @@ use asperity::{
     At, Best, BestContact, Code, Compared, ContactEngine, Datum, Described, Model, Other, Quantity,
     Request, Separation, SeparationUnit, SolvedContact, Source, Tolerance, usual_reference,
 };
-use asperity_scene::{SceneFile, Shape};
+use asperity_scene::{INTERFACE, SceneFile, Shape};
 
 use crate::AnswerError;
 use crate::asked::NO_EVIDENCE;
@@ -74,6 +74,14 @@ fn is_of(shape: Shape, quantity: Quantity) -> bool {
     }
 }
 
+/// Whether the bodies have the property that a quantity needs.
+#[must_use]
+pub fn has_property(file: &SceneFile, quantity: Quantity) -> bool {
+    let given = |key| INTERFACE.iter().find(|field| field.name == key);
+    let value = |key| given(key).and_then(|field| (field.get)(&file.scene.interface));
+    quantity.property().is_none_or(|key| value(key).is_some())
+}
+
 impl Answer {
     /// These quantities, or those that everyone asks for, at loads.
     #[must_use]
@@ -83,24 +91,13 @@ impl Answer {
         at: impl IntoIterator<Item = At>,
         tolerance: Tolerance,
     ) -> Self {
-        let has = |quantity: &Quantity| {
-            let interface = &file.scene.interface;
-            let is_here = file.shape().is_none_or(|shape| is_of(shape, *quantity));
-            is_here
-                && match quantity {
-                    Quantity::TangentialStiffness => interface.equivalent_shear_modulus.is_some(),
-                    Quantity::ThermalConductance | Quantity::ThermalConductancePerArea => {
-                        interface.thermal_conductivity.is_some()
-                    }
-                    _ => true,
-                }
-        };
+        let is_here = |of: &Quantity| file.shape().is_none_or(|shape| is_of(shape, *of));
         let of_joint = [Quantity::TangentialStiffness, Quantity::ThermalConductancePerArea];
         let mut usual = match file.shape() {
             None => [&Compared::QUANTITIES[..], &of_joint].concat(),
             Some(_) => OF_BODIES.to_vec(),
         };
-        usual.retain(has);
+        usual.retain(|of| is_here(of) && has_property(file, *of));
         let mut request = Request::default().at(at).within(tolerance);
         // The approach, which is the first, is given.
         if let (Some(At::Separation(_)), Some(first)) = (request.at.first(), usual.first_mut()) {
@@ -262,6 +259,20 @@ pub fn solve(file: &SceneFile, at: &[At], watch: &dyn Watch) -> Outcome<Vec<Solv
         SolvedContact { pressure: truth.pressure, values: truth.bem, uncertain }
     });
     Ok(solved.collect())
+}
+
+/// What boundary elements gave at a mean pressure \[Pa\], an input of answers: values by the names
+/// of quantities and `mean-gap`, without those that are not finite, and the codes of its notes.
+pub fn solved_contact(
+    pressure: f64,
+    value: impl Fn(&str) -> Option<f64>,
+    notes: &[String],
+) -> SolvedContact {
+    let named = ["area-fraction", "tangent", "unloading-stiffness", "mean-gap"];
+    let finite = |(name, of)| Some((of, value(name).filter(|value| value.is_finite())?));
+    let values = named.into_iter().zip(Compared::ALL).filter_map(finite).collect();
+    let codes: Vec<Code> = notes.iter().filter_map(|name| Code::named(name).ok()).collect();
+    SolvedContact { pressure, values, uncertain: uncertain(&codes).map(Into::into) }
 }
 
 /// The label of a column of an answer and its unit: the real area is a share of the nominal one.

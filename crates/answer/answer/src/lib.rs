@@ -28,7 +28,7 @@ mod unloading;
 mod unloading_scan;
 mod watch;
 
-pub use answer::{Answer, Basis, basis, lines, solve, title};
+pub use answer::{Answer, Basis, basis, has_property, lines, solve, solved_contact, title};
 pub use asked::{Asked, Line, NO_EVIDENCE};
 pub use bem::{Press, Pressed, half_grid};
 pub use blanks::Blanks;
@@ -53,7 +53,6 @@ pub use slip::{Amplitude, Slip};
 pub use subject::{Subject, unit_warning};
 pub use truth::{
     ContactState, Truth, Truths, beside_table, compare_with_bem, compared, heads, truth, truth_of,
-    uncertain,
 };
 pub use unloading::{Retreats, unloading};
 pub use unloading_scan::unloading_scan;

@@ -1,30 +1,10 @@
 //! The looks of models by their ids: one colour a model in every picture.
 
-/// Ids with the numbers of their looks.
-const LOOKS: [(&str, usize); 22] = [
-    ("gw", 0),
-    ("ceb", 1),
-    ("zmc", 2),
-    ("ke", 3),
-    ("etsion", 4),
-    ("jg", 5),
-    ("af", 6),
-    ("gao", 7),
-    ("at", 8),
-    ("jg-cosine", 9),
-    ("ghaednia", 10),
-    ("at-overlap", 11),
-    ("persson", 12),
-    ("persson-fudge", 13),
-    ("persson-plastic", 14),
-    ("cmy", 15),
-    ("dmt", 16),
-    ("jkr", 17),
-    ("jkr-separation", 18),
-    ("mikic", 19),
-    ("at-additive", 34),
-    ("best", 45),
-];
+/// Ids in the order of their looks.
+const LOOKS: &str = "gw ceb zmc ke etsion jg af gao at jg-cosine ghaednia at-overlap persson \
+    persson-fudge persson-plastic cmy dmt jkr jkr-separation mikic";
+/// Ids with looks of their own behind those.
+const OTHERS: [(&str, usize); 2] = [("at-additive", 34), ("best", 45)];
 /// Endings of ids, and what they add: the colour stays, dash and marker change. None is a black
 /// cross.
 const ENDINGS: [(&str, usize); 2] = [("-random", 20), ("-pairs", 50)];
@@ -45,5 +25,6 @@ pub fn look_of(id: &str) -> Option<usize> {
     if let Some((stem, more)) = ending {
         return look_of(stem).map(|look| look + more);
     }
-    LOOKS.iter().find(|(known, _)| *known == id).map(|(_, look)| *look)
+    let looks = LOOKS.split(' ').zip(0..).chain(OTHERS);
+    looks.into_iter().find(|(known, _)| *known == id).map(|(_, look)| look)
 }

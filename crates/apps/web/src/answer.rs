@@ -6,9 +6,9 @@ use asperity::{
     shortest_digits,
 };
 use asperity_answer::{
-    ADHESIVE, Answer, Asked, ENDS, Line, Numbers, OPENING, Search, column_of_end,
+    ADHESIVE, Answer, Asked, ENDS, Line, Numbers, OPENING, Search, column_of_end, has_property,
 };
-use asperity_scene::{Field, INTERFACE, SceneFile};
+use asperity_scene::SceneFile;
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -43,13 +43,9 @@ pub(crate) fn quantities(file: &SceneFile) -> Vec<Quantity> {
         let others = usual.request.quantities.into_iter().filter(|q| !OF_BODIES.contains(q));
         return OF_BODIES.into_iter().chain(others).collect();
     }
-    let has = |quantity: &Quantity| {
-        let of_property = |field: &&Field<_>| Some(field.name) == quantity.property();
-        let property = INTERFACE.iter().find(of_property);
-        property.is_some_and(|field| (field.get)(&file.scene.interface).is_some())
-    };
     let conductances = [Quantity::ThermalConductance, Quantity::ElectricalConductance];
-    USUAL.into_iter().chain(conductances.into_iter().filter(has)).collect()
+    let had = conductances.into_iter().filter(|of| has_property(file, *of));
+    USUAL.into_iter().chain(had).collect()
 }
 
 /// A column of values, which can be drawn.

@@ -13,17 +13,8 @@ const LABELS: [(&str, &str); 4] = [
     ("surface_height_std", "height std of the surface"),
 ];
 
-const SYMBOLS: [(&str, &str); 9] = [
-    ("alpha", "α"),
-    ("beta", "β"),
-    ("eta", "η"),
-    ("theta", "θ"),
-    ("pi", "π"),
-    ("psi", "ψ"),
-    ("sigma", "σ"),
-    ("sqrt", "√"),
-    ("nu", "ν"),
-];
+/// Latin names of Greek letters, with these.
+const SYMBOLS: &str = "alpha α, beta β, eta η, theta θ, pi π, psi ψ, sigma σ, sqrt √, nu ν";
 
 /// What describes yielding where contacts merge.
 const WITHOUT_ASPERITIES: &str = "boundary elements or persson-plastic";
@@ -89,8 +80,8 @@ pub(crate) fn symbols(text: &str) -> String {
         let (letter, index) = word.split_once('_').map_or((word, ""), |(a, b)| (a, b));
         let number = made.strip_suffix(' ').unwrap_or(&made);
         let is_unit = word == "psi" && number.ends_with(|c: char| c.is_ascii_digit());
-        let greek = SYMBOLS.iter().find(|(latin, _)| *latin == letter && index.len() < 2);
-        let greek = greek.filter(|_| !is_unit);
+        let mut letters = SYMBOLS.split(", ").filter_map(|pair| pair.split_once(' '));
+        let greek = letters.find(|(latin, _)| *latin == letter && index.len() < 2 && !is_unit);
         match (greek, word) {
             (Some((latin, greek)), _) => made += &word.replacen(latin, greek, 1),
             (None, "2" | "3") if made.ends_with('^') => {

@@ -17,15 +17,17 @@ const STEPS: u32 = 240;
 /// The least ratio of two interferences that both have a label.
 const ROOM: f64 = 2.2;
 
-/// The page of the guide about a model, with its equations.
-fn guide(id: &str) -> String {
-    let chapter = match id.split('-').collect::<Vec<_>>()[..] {
+/// The chapter of the guide about a model, with its equations.
+#[must_use]
+pub fn chapter_of(id: &str) -> &str {
+    match id.split('-').collect::<Vec<_>>()[..] {
         [.., arrangement @ ("random" | "pairs")] => arrangement,
         ["dmt" | "jkr", ..] => "adhesion",
+        ["cmy" | "mikic", ..] => "conductance",
+        ["best", ..] => "which-model",
         [first, ..] => first,
         [] => "models",
-    };
-    format!("guide/{chapter}.html")
+    }
 }
 
 /// Force and area of one asperity of the scene by a model, against the interference over the
@@ -93,7 +95,7 @@ pub(crate) fn law(file: &SceneFile, id: &str) -> Result<Value, Refusal> {
         "axis": axis,
         "range": stated.into_iter().chain(to).chain(defect).collect::<Vec<_>>().join("; "),
         "asperity": asperity_sentence(file),
-        "guide": guide(id),
+        "guide": format!("guide/{}.html", chapter_of(id)),
     }))
 }
 
@@ -146,7 +148,7 @@ mod tests {
         for (id, page) in
             [("jg-cosine", "jg"), ("ke-random", "random"), ("jkr-separation", "adhesion")]
         {
-            assert_eq!(guide(id), format!("guide/{page}.html"));
+            assert_eq!(chapter_of(id), page);
         }
     }
 

@@ -27,3 +27,4 @@ mod table;
 mod wasm;
 
 pub use desk::Desk;
+pub use law::chapter_of;

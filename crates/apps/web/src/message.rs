@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use asperity::{Code, Compared, SolvedContact};
-use asperity_answer::uncertain;
+use asperity::SolvedContact;
+use asperity_answer::solved_contact;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
@@ -100,20 +100,8 @@ const NOT_GIVEN: &str = "boundary elements do not give this quantity";
 impl Solved {
     /// As an input of the answer.
     pub(crate) fn contact(&self) -> SolvedContact {
-        let named = [
-            ("area-fraction", Compared::Area),
-            ("tangent", Compared::Stiffness),
-            ("unloading-stiffness", Compared::UnloadingStiffness),
-            ("mean-gap", Compared::MeanGap),
-        ];
-        let value = |(name, of): (&str, Compared)| Some((of, self.values.get(name)?.parse().ok()?));
-        let codes: Vec<Code> =
-            self.notes.iter().filter_map(|name| Code::named(name).ok()).collect();
-        SolvedContact {
-            pressure: self.pressure,
-            values: named.into_iter().filter_map(value).collect(),
-            uncertain: uncertain(&codes).map(Into::into),
-        }
+        let value = |name: &str| self.values.get(name)?.parse().ok();
+        solved_contact(self.pressure, value, &self.notes)
     }
 
     /// As the row of a model.

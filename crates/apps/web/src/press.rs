@@ -20,46 +20,14 @@ use crate::shown::{interval, shown};
 use crate::span::Span;
 
 /// Columns of a solution that are no quantities of models: head, unit, label and meaning.
-const OWN: [[&str; 4]; 13] = [
-    ["load_N", "N", "load", ""],
-    ["plastic_fraction", "", "plastic share", "Share of the pixels that carry the hardness."],
-    ["mean_gap_m", "m", "mean gap", "Distance of the mean planes of the two deformed surfaces."],
-    ["mean_open_gap_m", "m", "mean open gap", "Mean gap of the pixels out of contact."],
-    ["patches", "", "patches", "Number of connected contacts."],
-    [
-        "leak_x_kg_per_s",
-        "kg/s",
-        "leak along x",
-        "Through the seal, from left to right of the scan.",
-    ],
-    [
-        "leak_y_kg_per_s",
-        "kg/s",
-        "leak along y",
-        "Through the seal, from top to bottom of the scan.",
-    ],
-    ["leak_x_mbar_l_per_s", "mbar l/s", "leak of gas along x", "At the temperature of the gas."],
-    ["leak_y_mbar_l_per_s", "mbar l/s", "leak of gas along y", "At the temperature of the gas."],
-    [
-        "leak_x_m3_per_s",
-        "m3/s",
-        "leak along x",
-        "Through the seal, from left to right of the scan.",
-    ],
-    [
-        "leak_y_m3_per_s",
-        "m3/s",
-        "leak along y",
-        "Through the seal, from top to bottom of the scan.",
-    ],
-    ["tightest_gap_x_m", "m", "tightest gap along x", "On the widest path from side to side."],
-    ["tightest_gap_y_m", "m", "tightest gap along y", "On the widest path from side to side."],
-];
+const OWN: &str = include_str!("columns.txt");
 
 /// The column of a head, if it is shown.
 fn column(head: &str, file: &SceneFile) -> Option<Column> {
-    let own = OWN.iter().find(|own| own[0] == head);
-    let own = own.map(|[head, unit, label, says]| Column::new([head, unit, label], (*says).into()));
+    let own = OWN.lines().find_map(|line| {
+        let [own, unit, label, says] = line.split('|').collect::<Vec<_>>()[..] else { return None };
+        (own == head).then(|| Column::new([own, unit, label], says.into()))
+    });
     let quantity = Quantity::ALL.into_iter().find(|quantity| quantity.column() == head);
     let separation = Some(Column::separation(Some(file))).filter(|column| column.head == head);
     own.or(quantity.map(Column::from)).or(separation)

@@ -11,6 +11,7 @@ use super::ours::Laws;
 use super::problem::{Failure, NOT_FINITE, Outcome, Problem, ZERO, tightest};
 use xtask::figures::report_csv::ORDINARY;
 use xtask::folder::root;
+use xtask::table::rows_of;
 
 /// Ranges of d/σ_z and w_c/σ_z of the worst errors in `speed-vs-error`.
 const HARD_GRID: ([f64; 2], [f64; 2]) = ([-3.0, 40.0], [1e-8, 1e4]);
@@ -97,9 +98,7 @@ struct CaseRow {
 }
 
 fn table(name: &str) -> Result<Vec<CaseRow>> {
-    let path = root().join("tests/reference").join(name);
-    let rows = csv::Reader::from_path(&path).and_then(|mut csv| csv.deserialize().collect());
-    rows.with_context(|| path.display().to_string())
+    rows_of(&root().join("tests/reference").join(name))
 }
 
 /// The hard cases and the ordinary scenes of these pairs of model and quantity.

@@ -5,14 +5,13 @@ use std::f64::consts::PI;
 use std::hint::black_box;
 
 use anyhow::{Context, Result};
-use asperity::{
-    Contact, ContactModel, Interface, Model, Quantity, Request, Scene, Surface, Tolerance,
-};
-use asperity_curved::{Curved, Shape};
+use asperity::{Contact, ContactModel, Model, Quantity, Request, Scene, Tolerance};
+use asperity_curved::{Curved, Shape, elliptic};
 use xtask::table::{markdown_head, markdown_row};
 
 use super::markdown::duration;
 use super::ours::median_ns;
+use crate::curved::{MODULUS, SIGMA, scene, sphere};
 
 /// The public code's relaxation, and the change of the deflection over σ at which it ends.
 const RELAXATION: f64 = 0.3;
@@ -21,10 +20,6 @@ const MOST: usize = 500;
 const RINGS: usize = 300;
 /// Values of α = σ/(approach of smooth spheres).
 const ALPHAS: [f64; 4] = [0.3, 0.1, 0.05, 0.03];
-/// Roughness, equivalent modulus and peak pressure of smooth spheres \[m, Pa\].
-const SIGMA: f64 = 1e-6;
-const MODULUS: f64 = 115e9;
-const PEAK: f64 = 1.37e9;
 /// Loads of a sweep, from a tenth on.
 const SWEEP: u32 = 50;
 
@@ -38,32 +33,14 @@ struct Spheres {
 
 impl Spheres {
     fn new(alpha: f64) -> Result<Self> {
-        let slope = PI * PEAK / (2.0 * MODULUS);
-        let radius = SIGMA / (alpha * slope * slope);
-        let load = 2.0 / 3.0 * PI * (slope * radius).powi(2) * PEAK;
-        let asperities = Surface::new(500.0 * SIGMA, 0.05 / (500.0 * SIGMA * SIGMA), SIGMA);
-        let scene = Scene::new(Interface::elastic(MODULUS, 0.3), asperities, 1.0);
-        Ok(Self { radius, load, model: "gw".parse()?, scene })
+        let [radius, _, load] = sphere(alpha);
+        Ok(Self { radius, load, model: "gw".parse()?, scene: scene(SIGMA) })
     }
 
     fn curved(&self, tolerance: f64) -> Result<Curved> {
         let ball = Shape::Point { radius_x: self.radius, radius_y: self.radius };
         Ok(Curved::new(&self.model, &self.scene, ball, &[], Tolerance::new(tolerance)?)?)
     }
-}
-
-/// The complete elliptic integrals K and E of a modulus from 0 to below 1.
-fn elliptic(modulus: f64) -> [f64; 2] {
-    let (mut a, mut b, mut sum) = (1.0, (1.0 - modulus * modulus).sqrt(), 0.5 * modulus * modulus);
-    let mut power = 1.0;
-    while a - b > 1e-15 {
-        let c = 0.5 * (a - b);
-        (a, b) = (0.5 * (a + b), f64::sqrt(a * b));
-        sum += power * c * c;
-        power *= 2.0;
-    }
-    let k = PI / (2.0 * a);
-    [k, k * (1.0 - sum)]
 }
 
 /// The deflection at r under a unit pressure on a disc, times the modulus (Johnson 1985, 3.29).
@@ -73,7 +50,8 @@ fn under_disc(radius: f64, r: f64) -> f64 {
     }
     let [inner, outer] = [r.min(radius), r.max(radius)];
     let ratio = (inner / outer).min(1.0 - 1e-12);
-    let [k, e] = elliptic(ratio);
+    let [k, difference] = elliptic((1.0 - ratio * ratio).sqrt());
+    let e = k - ratio * ratio * difference;
     let outside = e - (1.0 - ratio * ratio) * k;
     4.0 / PI * outer * if r < radius { e } else { outside }
 }
@@ -140,12 +118,8 @@ fn rows(alpha: f64) -> Result<Vec<[String; 5]>> {
         let ns = median_ns(|| drop(black_box(curved.at_approach(black_box(approach)))));
         let found = curved.at_approach(approach)?;
         let (steps, off) = (found.work().steps, error(found.load(), spheres.load, spheres.load));
-        rows.push(named(
-            &format!("ours at an approach, {tolerance:e}"),
-            steps.to_string(),
-            ns,
-            off,
-        ));
+        let method = format!("ours at an approach, {tolerance:e}");
+        rows.push(named(&method, steps.to_string(), ns, off));
     }
     let fixed = FixedPoint::new(&spheres, 4.0 * right.axes()[0], RINGS)?;
     let (found, method) = (fixed.solve(approach)?, "fixed point at an approach");

@@ -9,8 +9,8 @@ use super::external::External;
 use super::methods::{HARD_TOLERANCE, METHODS};
 use super::tables::significant;
 use xtask::command::output;
-use xtask::figures::report_csv::{Row, read};
-use xtask::table::{markdown_head, markdown_row};
+use xtask::figures::report_csv::Row;
+use xtask::table::{markdown_head, markdown_row, rows};
 
 const METHODS_END: &str = "| `build-law` | building the law of a quantity, with its tables |
 | `build-scene` | compiling a scene for eight separations from -1 to 6, law built before |
@@ -32,7 +32,7 @@ fn entry<'a>(rows: &'a [Row], pair: (&str, &str), method: &str) -> Option<&'a Ro
 /// # Errors
 /// A csv that is not `speed-vs-error.csv`.
 pub fn text(speed: &str, libraries: &[External], machine: &str) -> Result<String> {
-    let rows = read(speed)?;
+    let rows: Vec<Row> = rows(speed)?;
     let mut pairs: Vec<(&str, &str)> = rows.iter().map(|r| (&*r.model, &*r.quantity)).collect();
     pairs.dedup();
     let mut methods: Vec<(&str, &str)> =
@@ -146,6 +146,7 @@ mod tests {
     use super::*;
     use anyhow::Context;
     use xtask::folder::{read as text_of, root};
+    use xtask::table::rows_of;
 
     const CSV: &str = "model,quantity,method,tolerance,median_ns,max_relative_error,evaluations
 ke,force,compiled,1e-9,40,1e-12,8
@@ -173,7 +174,7 @@ ke,force,simpson,,4000,1.0e0,201
 
     #[test]
     fn the_readme_has_the_numbers_of_the_committed_report() -> Result<()> {
-        let rows = read(&text_of(&root().join("figures/speed-vs-error.csv"))?)?;
+        let rows: Vec<Row> = rows_of(&root().join("figures/speed-vs-error.csv"))?;
         let of = |method| entry(&rows, ("ke", "force"), method).context("a row");
         let time = |method| -> Result<f64> { Ok(of(method)?.median_ns.parse()?) };
         let error: f64 = of("compiled")?.max_relative_error.parse()?;

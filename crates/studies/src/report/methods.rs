@@ -135,26 +135,6 @@ impl Method {
             if value.is_finite() { Ok(found) } else { Err(NOT_FINITE) }
         })
     }
-
-    /// Evaluations of the integrand for a problem, or of an exponential for a rule whose weight
-    /// contains the law; `None` where the method fails.
-    ///
-    /// # Errors
-    /// What the library refuses.
-    pub fn evaluations(
-        self,
-        laws: &Laws,
-        problem: &Arc<Problem>,
-        setting: Setting,
-    ) -> Result<Option<usize>> {
-        Ok(match (self, setting) {
-            (Self::Compiled, Setting::Tolerance(t)) => {
-                Some(ours::compiled_terms(laws, problem, t)?)
-            }
-            (Self::Rule, Setting::Tolerance(t)) => Some(ours::rule_terms(laws, problem, t)?),
-            _ => self.prepare(laws, problem, setting)?().ok().and_then(|o| o.evaluations),
-        })
-    }
 }
 
 /// The integral between breaks, and the evaluations of its integrand.

@@ -81,9 +81,15 @@ impl Laws {
 pub fn compiled(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
     let (quantity, separation) = (problem.quantity, problem.separation);
     let compiled = laws.scene(problem, tolerance)?;
+    // Exponential heights have one integral for all separations.
+    let request = Request::new([quantity]).within(Tolerance::new(tolerance)?).at([separation]);
+    let plan = compiled.plan(&request).ok();
+    let mut steps = plan.iter().flat_map(|plan| &plan.steps);
+    let step = steps.find(|step| step.quantities.contains(&quantity));
+    let evaluations = Some(step.and_then(|step| step.terms).map_or(1, |(_, most)| most));
     Ok(Box::new(move || {
         let found = compiled.evaluate(quantity, separation).map_err(|_| NOT_CONVERGED)?;
-        Ok(Outcome { value: found.scaled, scaled: true, evaluations: None })
+        Ok(Outcome { value: found.scaled, scaled: true, evaluations })
     }))
 }
 
@@ -95,30 +101,22 @@ pub fn rule(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
     let rules = laws.rules(problem, tolerance)?;
     let (scale, s, slope) = (problem.scale(), problem.separation, problem.slope());
     let factor = problem.in_units(1.0);
+    let evaluations = rule_terms(&rules, problem).ok();
     Ok(Box::new(move || {
         let found = if slope { rules.at(s, scale) } else { rules.value(s, scale) };
         let found = found.map_err(|_| NOT_CONVERGED)?;
         let value = factor * if slope { found.slope } else { found.value };
-        Ok(Outcome { value, scaled: true, evaluations: None })
+        Ok(Outcome { value, scaled: true, evaluations })
     }))
 }
 
-/// Terms of a value; exponential heights have one integral for all separations.
-pub fn compiled_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
-    let quantity = problem.quantity;
-    let request = Request::new([quantity]).within(Tolerance::new(tolerance)?);
-    let plan = laws.scene(problem, tolerance)?.plan(&request.at([problem.separation]))?;
-    let step = plan.steps.iter().find(|step| step.quantities.contains(&quantity));
-    Ok(step.and_then(|step| step.terms).map_or(1, |(_, most)| most))
-}
-
 /// Terms of a value of a rule; samples of the law where the point has no rule and is integrated.
-pub fn rule_terms(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<usize> {
-    let (rules, separation) = (laws.rules(problem, tolerance)?, problem.separation);
-    match rules.terms(separation, problem.scale())? {
+fn rule_terms(rules: &AnyScale, problem: &Problem) -> Result<usize, QuadratureError> {
+    let (separation, scale) = (problem.separation, problem.scale());
+    match rules.terms(separation, scale)? {
         0 => {
             let before = rules.evaluations();
-            rules.value(separation, problem.scale())?;
+            rules.value(separation, scale)?;
             Ok(rules.evaluations() - before)
         }
         terms => Ok(terms),

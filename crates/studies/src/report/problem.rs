@@ -239,7 +239,7 @@ pub struct Outcome {
     pub value: f64,
     /// Whether the value is divided by its scale, exp of `Problem::ln_scale`.
     pub scaled: bool,
-    /// Evaluations of the integrand; `None` where they are counted separately.
+    /// Evaluations of the integrand, or of an exponential for a rule whose weight contains the law.
     pub evaluations: Option<usize>,
 }
 

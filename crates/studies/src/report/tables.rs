@@ -151,10 +151,8 @@ impl Run<'_> {
         let time = self.timed.then(|| ours::median_ns(all) / jobs.len() as f64);
         let errors = grid.par_iter().map(|case| Ok(case.error(job(&case.problem)?())));
         let errors = errors.collect::<Result<Vec<Worst>>>()?;
-        let count = |point| method.evaluations(&self.laws, point, setting);
-        let counts = points.par_iter().map(count).collect::<Result<Vec<_>>>()?;
-        let worst = errors.into_iter().fold(Ok(0.0), worse);
-        Ok((time, Some(worst), mean(counts.into_iter().flatten())))
+        let counts = jobs.iter().filter_map(|job| job().ok()?.evaluations);
+        Ok((time, Some(errors.into_iter().fold(Ok(0.0), worse)), mean(counts)))
     }
 
     /// `hard-cases.csv`: a row for each case and a column for each method, with errors relative to

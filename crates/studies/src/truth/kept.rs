@@ -1,4 +1,4 @@
-//! Solved contacts, kept by surface, material and load.
+//! Solved contacts, kept by case.
 //!
 //! Numbers are dimensionless: areas over the nominal one, gaps over Sq, stiffnesses -dp/d(gap)
 //! Sq/E.
@@ -40,7 +40,7 @@ pub struct Contact {
     pub pixels: f64,
 }
 
-/// Cases in a folder: a file for a surface and a material, a line for a load.
+/// Cases in a folder: a file for each, a line for a surface.
 #[derive(Debug, Clone, Default)]
 pub struct Kept {
     folder: PathBuf,
@@ -81,19 +81,15 @@ impl Kept {
         self.rows.iter().find(same).map(|(_, row)| row)
     }
 
-    fn path(&self, Case { family, index, load, .. }: &Case, seed: u64) -> PathBuf {
+    fn path(&self, Case { family, index, load, .. }: &Case) -> PathBuf {
         let (name, pixels) = (family.name, family.pixels_for(*load));
-        self.folder.join(format!("{name}-{pixels}-psi{index}-seed{seed}.csv"))
+        self.folder.join(format!("{name}-{pixels}-psi{index}-load{load:e}.csv"))
     }
 
-    /// The contacts of seeds 1, 2, ... under a load, as far as they are kept.
+    /// The contacts of seeds 1, 2, ... of a case, as far as they are kept and needed.
     #[must_use]
     pub fn seeds(&self, case: &Case) -> Vec<Contact> {
-        let of = |seed| {
-            let all = contacts(&self.path(case, seed));
-            all.into_iter().find(|contact| (contact.load / case.load - 1.0).abs() < 1e-9)
-        };
-        (1..=case.seeds[1]).map_while(of).collect()
+        contacts(&self.path(case)).into_iter().take(case.seeds[1] as usize).collect()
     }
 
     /// Whether no more seeds are needed.
@@ -109,12 +105,12 @@ impl Kept {
         count >= case.seeds[1] || count >= case.seeds[0] && (merged || patches >= ENOUGH_PATCHES)
     }
 
-    /// Adds contacts of the surface and the material of a case.
+    /// Adds the contacts of the next seeds of a case.
     ///
     /// # Errors
     /// A file that cannot be written.
-    pub fn add(&self, case: &Case, seed: u64, new: &[Contact]) -> Result<()> {
-        let path = self.path(case, seed);
+    pub fn add(&self, case: &Case, new: &[Contact]) -> Result<()> {
+        let path = self.path(case);
         let known = contacts(&path);
         let mut csv = csv::Writer::from_path(&path)?;
         known.iter().chain(new).try_for_each(|contact| csv.serialize(contact))?;

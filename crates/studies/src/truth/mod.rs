@@ -23,7 +23,7 @@ use anyhow::Result;
 use asperity::Evidence;
 
 use kept::Kept;
-use plan::{FULL, SMALL, by_family};
+use plan::{FULL, SMALL, cases};
 use rows::evidence;
 use solve::solve;
 use xtask::folder::{figures_folder, root, save, target_folder};
@@ -42,7 +42,7 @@ pub fn write(solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
         kept = kept.with_rows(Evidence::committed()?)?;
     }
     if solve_missing {
-        solve(&[by_family(FULL)?, ordinary::all()?].concat(), &kept)?;
+        solve(&[cases(FULL)?, ordinary::all()?].concat(), &kept)?;
     }
     let text = evidence(FULL, &kept)?;
     let evidence = Evidence::parse(&text)?;
@@ -74,7 +74,7 @@ pub fn write_small() -> Result<Vec<PathBuf>> {
 fn small() -> Result<String> {
     let folder = tempfile::tempdir()?;
     let kept = Kept::in_folder(folder.path())?;
-    solve(&by_family(SMALL)?, &kept)?;
+    solve(&cases(SMALL)?, &kept)?;
     evidence(SMALL, &kept)
 }
 

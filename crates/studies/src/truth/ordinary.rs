@@ -49,12 +49,13 @@ fn percent(share: f64) -> String {
     three.to_string()
 }
 
-/// The cases of all scenes, by scene.
+/// The cases of all scenes.
 ///
 /// # Errors
 /// A scene without a surface of its bandwidth.
-pub fn all() -> Result<Vec<Vec<Case>>> {
-    scenes()?.iter().map(|(name, scene, pressures)| cases(name, scene, pressures)).collect()
+pub fn all() -> Result<Vec<Case>> {
+    let of = |(name, scene, pressures): &Ordinary| cases(name, scene, pressures);
+    Ok(scenes()?.iter().map(of).collect::<Result<Vec<_>>>()?.concat())
 }
 
 /// The cases of a scene, in the order of its pressures.
@@ -138,9 +139,7 @@ mod tests {
                 let wanted = pressure / actual.asperity()?.hardness.context("a hardness")?;
                 assert!((share / wanted - 1.0).abs() < 1e-9, "{name}: {share} is not {wanted}");
                 let contact = Contact { load: case.load, area: 1e-3, ..Contact::default() };
-                for seed in 1..=SEEDS {
-                    kept.add(case, seed, &[contact])?;
-                }
+                kept.add(case, &[contact; SEEDS as usize])?;
             }
         }
         let found = table(evidence, &kept)?.context("a table")?;

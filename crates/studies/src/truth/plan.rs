@@ -32,16 +32,15 @@ pub struct Case {
     pub seeds: [u64; 2],
 }
 
-/// The cases of each family of each part, in the order in which they are solved: those whose load
-/// is well below the hardness.
+/// The cases in the order in which they are solved: those whose load is well below the hardness.
 ///
 /// # Errors
 /// A surface that cannot be made.
-pub fn by_family(scope: Scope) -> Result<Vec<Vec<Case>>> {
-    let mut families = vec![];
-    for (of_part, indices, loads, most) in scope {
-        for family in of_part.iter().copied() {
-            let (surface, mut cases) = (family.surface(family.pixels)?, vec![]);
+pub fn cases(scope: Scope) -> Result<Vec<Case>> {
+    let mut cases = vec![];
+    for (families, indices, loads, most) in scope {
+        for family in families.iter().copied() {
+            let surface = family.surface(family.pixels)?;
             for &index in *indices {
                 let hardness = scene(&surface, index)?.interface.hardness;
                 let most_load = hardness.map(|h| MOST_OF_HARDNESS * h / (MODULUS * GRADIENT));
@@ -50,24 +49,9 @@ pub fn by_family(scope: Scope) -> Result<Vec<Vec<Case>>> {
                 let seeds = [LEAST_SEEDS.min(*most), *most];
                 cases.extend(carried.map(|&load| Case { family, index, load, seeds }));
             }
-            families.push(cases);
         }
     }
-    Ok(families)
-}
-
-/// All cases in the order of the table.
-///
-/// # Errors
-/// A surface that cannot be made.
-pub fn cases(scope: Scope) -> Result<Vec<Case>> {
-    let mut all = by_family(scope)?.concat();
-    let place = |case: &Case| FAMILIES.iter().position(|family| *family == case.family);
-    all.sort_by(|a, b| {
-        let index = a.index.total_cmp(&b.index);
-        place(a).cmp(&place(b)).then(index).then(a.load.total_cmp(&b.load))
-    });
-    Ok(all)
+    Ok(cases)
 }
 
 const ISOTROPIC: &[Family] = FAMILIES.split_at(4).0;

@@ -6,7 +6,7 @@ use asperity::{
     Request, Scene, Tolerance,
 };
 
-use super::family::{GRADIENT, MODULUS, scene, unit};
+use super::family::{FAMILIES, GRADIENT, MODULUS, scene, unit};
 use super::kept::{self, Kept};
 use super::plan::{Case, Scope, cases};
 use xtask::figures::compared::{equal, models};
@@ -158,7 +158,12 @@ fn head() -> String {
 /// # Errors
 /// A model that fails.
 pub fn evidence(scope: Scope, kept: &Kept) -> Result<String> {
-    let (mut text, all) = (head(), cases(scope)?);
+    let (mut text, mut all) = (head(), cases(scope)?);
+    let place = |case: &Case| FAMILIES.iter().position(|family| *family == case.family);
+    all.sort_by(|a, b| {
+        let index = a.index.total_cmp(&b.index);
+        place(a).cmp(&place(b)).then(index).then(a.load.total_cmp(&b.load))
+    });
     for group in all.chunk_by(|a, b| a.family == b.family && equal(a.index, b.index)) {
         let rows = group.iter().filter_map(|case| Some((*case, Bem::of(case, kept)?)));
         text += &lines(&rows.collect::<Vec<_>>())?;

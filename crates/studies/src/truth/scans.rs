@@ -4,7 +4,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use asperity::bem::{BoundaryElements, RandomSurface};
 use asperity::{
     Compared, Evidence, Interface, ProfileMoments, Quantity, Scene, Surface, SurfaceShape,
@@ -19,7 +19,7 @@ use xtask::figures::compared::NOTHING;
 use xtask::figures::models::solve as evaluate;
 use xtask::figures::report_csv::median;
 use xtask::folder::{root, save};
-use xtask::table::{markdown_head, markdown_row};
+use xtask::table::{markdown_head, markdown_row, rows_of};
 
 /// The solved scans, which the table follows.
 const FILE: &str = "scans.csv";
@@ -32,24 +32,12 @@ const PIXELS: usize = 256;
 const LOADS: [f64; 3] = [3e-3, 1e-2, 5e-2];
 const INDICES: [f64; 2] = [0.0, 3.0];
 
-/// Longest waves on the side, Hurst exponent, skewness, ratio of slopes.
-const SCANS: [[f64; 4]; 15] = [
-    [1.0, 0.3, 0.0, 1.0],
-    [1.0, 0.8, 0.0, 1.0],
-    [2.0, 0.3, 0.0, 1.0],
-    [2.0, 0.8, 0.0, 1.0],
-    [3.0, 0.3, 0.0, 1.0],
-    [3.0, 0.8, 0.0, 1.0],
-    [8.0, 0.3, 0.0, 1.0],
-    [8.0, 0.8, 0.0, 1.0],
-    [1.0, 0.8, -0.7, 1.0],
-    [3.0, 0.8, -0.7, 1.0],
-    [8.0, 0.8, -0.7, 1.0],
-    [1.0, 0.8, 0.5, 1.0],
-    [3.0, 0.8, 0.5, 1.0],
-    [8.0, 0.8, 0.5, 1.0],
-    [3.0, 0.9, 0.0, 3.0],
-];
+/// Longest waves on the side, Hurst exponent, skewness, ratio of slopes: plain, skewed, with a lay.
+fn surfaces() -> impl Iterator<Item = [f64; 4]> {
+    let plain = [1.0, 2.0, 3.0, 8.0].map(|waves| [0.3, 0.8].map(|hurst| [waves, hurst, 0.0, 1.0]));
+    let skewed = [-0.7, 0.5].map(|skew| [1.0, 3.0, 8.0].map(|waves| [waves, 0.8, skew, 1.0]));
+    plain.into_iter().flatten().chain(skewed.into_iter().flatten()).chain([[3.0, 0.9, 0.0, 3.0]])
+}
 
 /// A scan under a load; numbers are relative to its own E g, Sq and E g/Sq.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -74,17 +62,13 @@ pub struct Scan {
     gap: f64,
 }
 
-fn path() -> PathBuf {
-    root().join("crates/studies/data").join(FILE)
-}
-
 /// Solves all scans; returns the path of their numbers.
 ///
 /// # Errors
 /// A scan that cannot be solved, a file that cannot be written.
 pub fn write() -> Result<Vec<PathBuf>> {
     let mut csv = csv::Writer::from_writer(vec![]);
-    for [waves, hurst, skewness, slope_ratio] in SCANS {
+    for [waves, hurst, skewness, slope_ratio] in surfaces() {
         eprintln!("{waves} waves, H {hurst}, skewness {skewness}, slopes {slope_ratio}:1");
         // Of a family, per 512 pixels.
         let longest = waves * 512.0 / PIXELS as f64;
@@ -150,8 +134,7 @@ fn digits(number: f64) -> f64 {
 /// # Errors
 /// A file that cannot be read.
 pub fn read() -> Result<Vec<Scan>> {
-    let csv = csv::Reader::from_path(path()).context(FILE)?;
-    Ok(csv.into_deserialize().collect::<Result<_, _>>()?)
+    rows_of(&root().join("crates/studies/data").join(FILE))
 }
 
 /// The expected value with the ends of its interval, if there is one, and the solved value.

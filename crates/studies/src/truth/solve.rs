@@ -1,18 +1,14 @@
 //! Boundary elements on random surfaces. Light loads are solved on large surfaces with the highest
 //! pixels as unknowns.
 
-use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use anyhow::{Result, anyhow};
-use asperity::bem::{
-    BemError, BoundaryElements, HeightMap, LightContact, LoadCase, Progress, Solution,
-};
+use asperity::bem::{BemError, BoundaryElements, LightContact, LoadCase, Progress, Solution};
 
 use super::family::{GRADIENT, LIGHT, MODULUS, scene};
 use super::kept::{Contact, Kept};
 use super::plan::Case;
-use xtask::figures::compared::equal;
 
 /// Patches of fewer pixels do not count.
 const LEAST_PATCH: usize = 12;
@@ -21,55 +17,25 @@ const STEP: f64 = 0.05;
 /// Heavier ones are iterated to this residual, which leaves 1e-4 in differences of gaps.
 const HEAVY_TOLERANCE: f64 = 1e-6;
 
-/// Solves what is not kept, and says how far it is.
+/// Solves what is not kept, surface by surface, and says how far it is.
 ///
 /// # Errors
 /// A case that cannot be solved or kept.
-pub fn solve(families: &[Vec<Case>], kept: &Kept) -> Result<()> {
-    for (k, cases) in families.iter().enumerate() {
-        eprintln!("family {} of {}", k + 1, families.len());
-        solve_family(cases, kept)?;
-    }
-    Ok(())
-}
-
-/// Solves what cases of one family still need, surface by surface.
-///
-/// # Errors
-/// A case that cannot be solved or kept.
-fn solve_family(cases: &[Case], kept: &Kept) -> Result<()> {
-    let Some(Case { family, .. }) = cases.first() else { return Ok(()) };
-    let sizes: BTreeSet<usize> = cases.iter().map(|case| family.pixels_for(case.load)).collect();
-    let most = cases.iter().map(|case| case.seeds[1]).max().unwrap_or(0);
-    for pixels in sizes {
+pub fn solve(cases: &[Case], kept: &Kept) -> Result<()> {
+    for (k, case) in cases.iter().enumerate() {
+        let Case { family, index, load, .. } = *case;
+        let pixels = family.pixels_for(load);
         let surface = family.surface(pixels)?;
-        for seed in 1..=most {
-            let mut map = None;
-            for of_material in cases.chunk_by(|a, b| equal(a.index, b.index)) {
-                let needed = |case: &&Case| {
-                    family.pixels_for(case.load) == pixels
-                        && kept.seeds(case).len() as u64 == seed - 1
-                        && !kept.is_done(case)
-                };
-                let needed: Vec<&Case> = of_material.iter().filter(needed).collect();
-                let Some(case) = needed.first() else { continue };
-                let index = case.index;
-                eprintln!("{}, {pixels} pixels, psi {index}, seed {seed}", family.name);
-                let map: &HeightMap = match &mut map {
-                    Some(map) => map,
-                    none => none.insert(surface.seed(seed).heights(pixels)?),
-                };
-                let mut elements = BoundaryElements::new(map.clone(), MODULUS)?;
-                if let Some(hardness) = scene(&surface, index)?.interface.hardness {
-                    elements = elements.hardness(hardness)?;
-                }
-                let sq = surface.moments().m0.sqrt();
-                let (light, heavy): (Vec<f64>, Vec<f64>) =
-                    needed.iter().map(|case| case.load).partition(|load| *load <= LIGHT);
-                let mut found = contacts(&elements, &light, sq, true)?;
-                found.extend(contacts(&elements, &heavy, sq, false)?);
-                kept.add(case, seed, &found)?;
+        while !kept.is_done(case) {
+            let seed = kept.seeds(case).len() as u64 + 1;
+            let of = format!("{}, {pixels} pixels, psi {index}, load {load}", family.name);
+            eprintln!("case {} of {}: {of}, seed {seed}", k + 1, cases.len());
+            let mut elements = BoundaryElements::new(surface.seed(seed).heights(pixels)?, MODULUS)?;
+            if let Some(hardness) = scene(&surface, index)?.interface.hardness {
+                elements = elements.hardness(hardness)?;
             }
+            let sq = surface.moments().m0.sqrt();
+            kept.add(case, &contacts(&elements, &[load], sq, load <= LIGHT)?)?;
         }
     }
     Ok(())

@@ -17,8 +17,8 @@ use xtask::table::Table;
 const PIXELS: usize = 4096;
 /// Longest waves on the side of the surface beside GFMD: 8.2 pixels for the shortest wave.
 const LONGEST: f64 = 5.0;
-/// Surfaces of that spectrum.
-const SEEDS: u64 = 1;
+/// The surface of each spectrum.
+const SEED: u64 = 1;
 /// Longest, roll-off and shortest wave of the Contact Mechanics Challenge \[m\].
 const CHALLENGE: [f64; 3] = [100e-6, 20e-6, 0.1e-6];
 /// Half of the Challenge's side \[m\], which leaves 8.2 pixels for the shortest wave.
@@ -37,22 +37,20 @@ const BINS: usize = 30;
 pub fn write() -> Result<Vec<PathBuf>> {
     let mut paths = save(&folder(), [(closure::FITS.to_owned(), fits()?.into_text())])?;
     let mut area = Table::new(&gfmd::SOLVED);
-    for seed in 1..=SEEDS {
-        // In waves on the side; the modulus is 1.
-        let surface = RandomSurface::new(LONGEST, LONGEST, LONGEST * gfmd::RATIO)?;
-        let surface = surface.gradient(gfmd::GRADIENT)?.seed(seed);
-        let sq = surface.moments().m0.sqrt();
-        let pressures = gfmd::pressures()?;
-        for (p, found) in pressures.iter().zip(solved(&surface, &pressures, of_gap)?) {
-            let [fraction, pixels, gap] = found;
-            area.push(&[&seed.to_string()], [*p, fraction, pixels, gap / sq])?;
-        }
+    // In waves on the side; the modulus is 1.
+    let surface = RandomSurface::new(LONGEST, LONGEST, LONGEST * gfmd::RATIO)?;
+    let surface = surface.gradient(gfmd::GRADIENT)?.seed(SEED);
+    let sq = surface.moments().m0.sqrt();
+    let pressures = gfmd::pressures()?;
+    for (p, found) in pressures.iter().zip(solved(&surface, &pressures, of_gap)?) {
+        let [fraction, pixels, gap] = found;
+        area.push(&[&SEED.to_string()], [*p, fraction, pixels, gap / sq])?;
     }
     let [longest, roll_off, shortest] = CHALLENGE;
     let surface =
         RandomSurface::of_wavelengths([longest.min(SIDE), roll_off, shortest], [SIDE; 2])?
             .gradient(1.0)?
-            .seed(1);
+            .seed(SEED);
     let density = solved(&surface, &[PRESSURE], densities)?.pop().context("a density")?;
     let mut table = Table::new(&["p_over_E", "density"]);
     for (k, value) in density.into_iter().enumerate() {
@@ -65,7 +63,7 @@ pub fn write() -> Result<Vec<PathBuf>> {
 
 /// Models fitted to the loading of each specimen, with their 95 % intervals.
 fn fits() -> Result<Table> {
-    let mut table = Table::new(&closure::FIT_COLUMNS);
+    let mut table = Table::new(&closure::FIT_COLUMNS.split(',').collect::<Vec<_>>());
     for specimen in closure::SPECIMENS {
         let loading = closure::loading(specimen)?;
         let columns = [("separation_m", 0), ("pressure_Pa", 1)].map(|(name, k)| {

@@ -28,7 +28,8 @@ impl Hertz {
 
 /// K(e) and (K(e) - E(e))/e² of an ellipse with half axes of the ratio b/a = √(1 - e²), by the
 /// arithmetic-geometric mean.
-fn elliptic(ratio: f64) -> [f64; 2] {
+#[must_use]
+pub fn elliptic(ratio: f64) -> [f64; 2] {
     let square = (1.0 - ratio) * (1.0 + ratio);
     let (mut a, mut b, mut power) = (1.0, ratio, 0.5);
     // (K - E)/K = Σ 2^(n-1) c_n² with c₀ = e; each term over e².

@@ -1,7 +1,7 @@
 //! Area and mean gap of elastic surfaces beside Green's function molecular dynamics, and the
 //! density of pressures beside the Contact Mechanics Challenge.
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use asperity::{
     At, ContactModel, Datum, Interface, Model, Persson, ProfileMoments, Quantity, Request, Scene,
     SeparationUnit, Surface, Tolerance,
@@ -26,8 +26,7 @@ pub(super) const PANELS: [&str; 3] = ["area", "gap", "pressure"];
 /// The models drawn.
 const MODELS: [&str; 4] = ["gw", "gw-random", "persson", "persson-fudge"];
 /// Our own solutions, with their looks.
-const OURS: [(&str, usize, &str); 2] =
-    [(PIXELS, 6, "asperity bem, counted pixels"), (BEM, 4, "asperity bem")];
+const OURS: [(&str, usize); 2] = [(PIXELS, 6), (BEM, 4)];
 const BEM: &str = "bem";
 const THEIRS: &str = "simulated";
 const PIXELS: &str = "bem-pixels";
@@ -84,15 +83,11 @@ pub fn table() -> Result<Table> {
     for id in MODELS.into_iter().chain([PIXELS, BEM]) {
         let mut gaps = vec![];
         for (p, area, _, gap, _) in &simulated {
-            let mean = |k: usize| {
-                let own = solved.iter().filter(|(_, row)| equal(row[0], *p));
-                let (count, sum) =
-                    own.fold((0.0, 0.0), |(n, sum), (_, row)| (n + 1.0, sum + row[k]));
-                sum / count
-            };
+            let own = solved.iter().find(|(_, row)| equal(row[0], *p));
+            let (_, [_, own_area, own_pixels, own_gap]) = own.context("a solved pressure")?;
             let (own_area, own_gap) = match id {
-                BEM => (mean(1), Some(mean(3))),
-                PIXELS => (mean(2), None),
+                BEM => (*own_area, Some(*own_gap)),
+                PIXELS => (*own_pixels, None),
                 id => predicted(id, *p)?,
             };
             let load = p / GRADIENT;

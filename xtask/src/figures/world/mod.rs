@@ -8,10 +8,11 @@ pub mod summary;
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use serde::de::DeserializeOwned;
 
 use crate::folder::root;
+use crate::table::rows_of;
 
 /// The folder of the numbers.
 #[must_use]
@@ -24,9 +25,7 @@ pub fn folder() -> PathBuf {
 /// # Errors
 /// A file that cannot be read, or has other columns.
 pub fn rows<T: DeserializeOwned>(name: &str) -> Result<Vec<T>> {
-    let read = || csv::ReaderBuilder::new().comment(Some(b'#')).from_path(folder().join(name));
-    let rows = read().and_then(|mut csv| csv.deserialize().collect());
-    rows.with_context(|| format!("xtask/data/world/{name}"))
+    rows_of(&folder().join(name))
 }
 
 /// The root mean square of values/references - 1.

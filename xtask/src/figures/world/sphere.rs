@@ -1,7 +1,7 @@
 //! The laws of one asperity beside finite elements: force and area of loading, and the work that
 //! unloading returns.
 
-use anyhow::Result;
+use anyhow::{Error, Result};
 use asperity::joints::{UnloadingLaw, restitution};
 use asperity::{Asperity, Interface, Model, Quantity, Tolerance};
 use asperity_plot::{Axis, Curve, Figure, Mark};
@@ -17,11 +17,7 @@ pub const LAWS: [&str; 8] = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af", HAR
 const HARDENING: &str = "ghaednia";
 /// The law of loading before unloading.
 const LOADING: &str = "ke";
-const UNLOADING: [(&str, usize, &str, UnloadingLaw); 3] = [
-    ("hertz", 2, "KE, unloading by hertz", UnloadingLaw::Hertz),
-    ("brake", 4, "KE, unloading by brake", UnloadingLaw::Brake),
-    ("etsion", 1, "KE, unloading by etsion", UnloadingLaw::Etsion),
-];
+const UNLOADING: [(&str, usize); 3] = [("hertz", 2), ("brake", 4), ("etsion", 1)];
 const ELEMENTS: &str = "elements";
 /// The panels drawn, with this Poisson's ratio.
 pub(super) const PANELS: [&str; 3] = ["force", "area", "work"];
@@ -120,7 +116,8 @@ pub fn table() -> Result<Table> {
         }
     }
     let (loading, asperity): (Model, _) = (LOADING.parse()?, asperity(DRAWN_NU, 0.0)?);
-    for (key, _, _, law) in UNLOADING {
+    for (key, _) in UNLOADING {
+        let law: UnloadingLaw = key.parse().map_err(Error::msg)?;
         for x in geometric(1.0, 200.0, 101) {
             let w = x * asperity.critical_interference()?;
             let returned = restitution(&loading, &asperity, w, law, tolerance)?.powi(2);
@@ -163,7 +160,7 @@ pub fn style(_: &str) -> Result<Figure> {
         panel.verticals = [1.0, 6.0, 110.0].map(|at| Mark::new(at, &format!("{at}"))).to_vec();
         Ok(panel)
     };
-    let mut laws = named(&UNLOADING.map(|(key, look, label, _)| (key, look, label)));
+    let mut laws = named(&UNLOADING);
     laws.push(Curve::points(8, ELEMENTS, "finite elements"));
     let y = Axis::new("value", "work returned/work spent").range(0.0, 1.0);
     let work = of("panel", PANELS[2], "work", panel(&x(), y, &laws));

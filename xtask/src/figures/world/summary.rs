@@ -7,7 +7,7 @@ use asperity::{Compared, Described, Evidence};
 
 use super::{closure, gfmd, rms, rows, sphere};
 use crate::figures::compared::{NOTHING, is_plain, models};
-use crate::table::{markdown_head, markdown_row};
+use crate::table::{markdown_head, markdown_row, rows as drawn};
 
 const PREFACE: &str = "\
 # What each model was held against
@@ -34,10 +34,6 @@ const AREA: [[f64; 2]; 2] = [[1.0, 50.0], [50.0, 170.0]];
 
 /// A row of a figure's csv: panel or specimen, curve, and two numbers.
 type Row = (String, String, f64, f64);
-
-fn drawn(csv: &str) -> Result<Vec<Row>> {
-    Ok(csv::Reader::from_reader(csv.as_bytes()).deserialize().collect::<Result<_, _>>()?)
-}
 
 /// The root mean square deviation of the ratios of a model, in per cent.
 fn off<'r>(ratios: impl Iterator<Item = &'r f64>) -> String {

@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import Rows, floats, in_si, one_number, one_scene, place
+from asperity._arguments import Rows, floats, in_si, method_of, one_number, one_scene, place
 from asperity._asperity import Scene
 from asperity._model import Model, as_model
 from asperity._table import Table
@@ -49,10 +49,9 @@ class Answer(Table):
     lines: list[list[str]]
 
     def _ends(self, quantities: Sequence[str], end: str) -> dict[str, Any]:
-        columns = {**_asperity.quantities(), "mean-gap": "mean_gap_m"}
         found = {}
         for quantity in quantities:
-            head = columns[quantity]
+            head = _columns()[quantity]
             name = quantity.replace("-", "_")
             # Of curved bodies there are no ends.
             none = np.full(len(self["model"]), np.nan)
@@ -77,48 +76,66 @@ class Answer(Table):
         return f"<table><tr>{heads}</tr>{body}</table>{behind}"
 
 
+@method_of(Scene)
 def answer(
-    scene: Scene,
-    quantities: str | Sequence[str] | None,
-    load: npt.ArrayLike | None,
-    pressure: npt.ArrayLike | None,
-    approach: npt.ArrayLike | None,
-    rtol: float,
-    solve: bool,
-    solved: Table | None,
+    self: Scene,
+    quantities: str | Sequence[str] | None = None,
+    *,
+    load: npt.ArrayLike | None = None,
+    pressure: npt.ArrayLike | None = None,
+    approach: npt.ArrayLike | None = None,
+    rtol: float = 1e-10,
+    solve: bool = False,
+    solved: Table | None = None,
 ) -> Answer:
-    """What ``Scene.answer`` gives."""
+    """What is known best about the scene under loads: by boundary elements on its scan, where that
+    was solved; else as they are expected from solved surfaces, with an interval that holds nine
+    of ten; else by the first valid model, without one. The model "best" gives the same numbers.
+
+    ``solve=True`` solves the scan at the loads; ``solved`` takes what ``asperity.bem`` has
+    solved. By default the quantities are area, tangent, unloading-stiffness and, as the scene
+    has them, tangential-stiffness and thermal-conductance-per-area; the mean gap is always
+    there. Curved bodies have an answer under loads or at approaches [m], by one model, without
+    an interval.
+
+    >>> import asperity
+    >>> answer = asperity.Scene.parse(asperity.template()).answer(load="100 N")
+    >>> answer.lower["area"] < answer.value["area"] < answer.upper["area"]
+    True
+    """
     axis, given = place(load=load, pressure=pressure, approach=approach)
     numbers = floats(given, axis).ravel().tolist()
     solving: Any = solve if solved is None else _solved(solved)
-    table, (behind, lines) = _asperity.best(scene, (axis, numbers), quantities, rtol, solving)
+    table, (behind, lines) = _asperity.best(self, (axis, numbers), quantities, rtol, solving)
     found = Answer(*table)
-    every = {**_asperity.quantities(), "mean-gap": "mean_gap_m"}
-    own = [name for name, head in every.items() if head in found.columns and name != "pressure"]
+    heads = _columns().items()
+    own = [name for name, head in heads if head in found.columns and name != "pressure"]
     ends = {name: found._ends(own, end) for name, end in _ENDS.items()}
     vars(found).update(ends, by=behind[0], widest=behind[1], also=behind[2], lines=lines)
     return found
 
 
-def profile(scene: Scene, load: float | str, model: str, rtol: float) -> Table:
-    """What ``Scene.profile`` gives."""
+@method_of(Scene)
+def profile(self: Scene, load: float | str, model: str = "best", *, rtol: float = 1e-6) -> Table:
+    """The patch of curved bodies under a load [N], by "best" or another model: at each point
+    ``x_m``, ``y_m``, ``pressure_Pa`` beside ``hertz_pressure_Pa`` of smooth bodies,
+    ``separation_m`` from the mean of the asperity heights, ``area_fraction``, and
+    ``tangential_flexibility_m3_per_N`` of the rough layer, to be added to that of the bodies."""
     number = one_number("load", in_si(load, "N"))
-    return Table(*_asperity.profile(scene, number, model, rtol))
+    return Table(*_asperity.profile(self, number, model, rtol))
 
 
 _ENDS = {"value": "", "lower": "_lower", "upper": "_upper"}
-#: Columns of boundary elements by the numbers that are compared with them.
-_SOLVED = {
-    "area": "area_fraction",
-    "stiffness": "tangent_N_per_m",
-    "unloading_stiffness": "unloading_stiffness_N_per_m",
-    "mean_gap": "mean_gap_m",
-}
+
+
+def _columns() -> dict[str, str]:
+    """The heads of columns by the names of quantities, with the mean gap."""
+    return {**_asperity.quantities(), "mean-gap": "mean_gap_m"}
 
 
 def _solved(contacts: Table) -> tuple[list[tuple[float, dict[str, float]]], list[str]]:
     """The rows of ``bem`` as an input of an answer, and the codes of what there is to say."""
-    known = {name: head for name, head in _SOLVED.items() if head in contacts.columns}
+    known = {name: head for name, head in _columns().items() if head in contacts.columns}
     rows = [
         (float(pressure), {name: float(contacts[head][k]) for name, head in known.items()})
         for k, pressure in enumerate(contacts["pressure_Pa"])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields
 from typing import Any, Literal, TypeAlias, TypeVar
 
@@ -14,7 +14,18 @@ from asperity import _asperity
 from asperity._asperity import Engine, NotConverged, Scene
 
 Floats: TypeAlias = npt.NDArray[np.float64]
+Method = TypeVar("Method", bound=Callable[..., Any])
 Options: TypeAlias = Mapping[str, str | float | Mapping[str, float]]
+
+
+def method_of(kind: type) -> Callable[[Method], Method]:
+    """Gives a compiled class a method that is written in Python."""
+
+    def add(method: Method) -> Method:
+        setattr(kind, method.__name__, method)
+        return method
+
+    return add
 
 
 def in_si(numbers: Any, si: str) -> Any:
@@ -93,6 +104,13 @@ class Scenes:
         names = ", ".join(self._columns) or "nothing"
         verb = "vary" if len(self._columns) > 1 else "varies"
         return f"<asperity.Scenes of shape {self.shape}, {names} {verb}>"
+
+
+@method_of(Scene)
+def vary(self: Scene, **columns: npt.ArrayLike) -> Scenes:
+    """Many scenes that differ in some numbers: the names of ``replace`` with arrays, which are
+    broadcast."""
+    return Scenes(self, columns)
 
 
 #: One scene, or many in any shape.

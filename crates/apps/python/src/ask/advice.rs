@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use asperity::{
-    At, Check, Code, Compared, ContactError, ContactModel, Finding, Findings, Model, Quantity,
-    Request, Scene, Severity, SolvedContact,
+    At, Check, Code, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request,
+    Scene, Severity,
 };
-use asperity_answer::{Answer, Cell, Sheet, check_sheet, lines, patch, solve, uncertain};
+use asperity_answer::{Answer, Cell, Sheet, check_sheet, lines, patch, solve, solved_contact};
 use pyo3::prelude::*;
 
 use crate::ask::asked::{Arguments, Asked};
@@ -192,20 +192,11 @@ pub(crate) fn best<'py>(
         Solving::Now(true) => {
             run_interruptible(py, |stop| solve(&file, &at, stop))?.map_err(value_error)?
         }
-        Solving::Done(rows, codes) => {
-            let known = |name: &String| Code::named(name).ok();
-            let codes: Vec<Code> = codes.iter().filter_map(known).collect();
-            let uncertain = uncertain(&codes).map(ToString::to_string);
-            let named = |(name, value): (&String, &f64)| {
-                let of = Compared::ALL.into_iter().find(|of| of.name() == name)?;
-                Some((of, *value))
+        Solving::Done(rows, notes) => {
+            let one = |(pressure, values): &(f64, BTreeMap<String, f64>)| {
+                solved_contact(*pressure, |name| values.get(name).copied(), &notes)
             };
-            let contact = |(pressure, values): (f64, BTreeMap<String, f64>)| SolvedContact {
-                pressure,
-                values: values.iter().filter_map(named).collect(),
-                uncertain: uncertain.clone(),
-            };
-            rows.into_iter().map(contact).collect()
+            rows.iter().map(one).collect()
         }
     };
     let asked = quantities.map_or_else(Vec::new, |names| names.0);

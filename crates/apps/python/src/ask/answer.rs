@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use asperity::{
-    Case, Contact, ContactError, ContactModel, Evaluation, Finding, Quantity, Request, Response,
+    Contact, ContactError, ContactModel, Evaluation, Finding, Quantity, Request, Response,
     RowCheck, Sweep,
 };
 use pyo3::prelude::*;
@@ -133,11 +133,6 @@ impl Asked {
         let mut found = Answer { columns: vec![vec![]; quantities.len()], ..Answer::default() };
         let mut check = RowCheck::new(self.model.validity().adhesive);
         for (row, case, answer) in self.rows.evaluate(range, |cases| sweep.evaluate_all(cases)) {
-            // Other quantities of a refused row may have values.
-            let alone = |case: &Case| {
-                let request = self.request.clone().at([case.at]);
-                self.model.solve(&case.scene, &request).ok()
-            };
             match (answer, &case) {
                 (Ok(values), Some(case)) => {
                     for (k, (quantity, value)) in quantities.iter().zip(values).enumerate() {
@@ -145,14 +140,8 @@ impl Asked {
                         found.columns[k].push(aspect(&value, *quantity));
                     }
                 }
-                (Err(error), case) => match case.as_ref().and_then(alone) {
-                    Some(response) => found.append(self.read(aspect, row, response)),
-                    None => {
-                        found.columns.iter_mut().for_each(|column| column.push(f64::NAN));
-                        found.failures.push((row, error));
-                    }
-                },
-                (Ok(_), None) => {}
+                // Other quantities of a refused row may have values.
+                _ => found.append(self.alone(aspect, row)),
             }
         }
         found.warnings.extend(check.finish(self.model.id()));

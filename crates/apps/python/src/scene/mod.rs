@@ -229,69 +229,10 @@ impl SceneFile {
         Ok(Self(Arc::new(self.0.with_inputs(values).map_err(refused)?)))
     }
 
-    /// Many scenes that differ in some numbers: the names of ``replace`` with arrays, which are
-    /// broadcast.
-    #[pyo3(signature = (**columns))]
-    fn vary<'py>(
-        slf: &Bound<'py, Self>,
-        columns: Option<&Bound<'py, PyDict>>,
-    ) -> PyResult<Object<'py>> {
-        let scenes = slf.py().import("asperity._arguments")?.getattr("Scenes")?;
-        scenes.call1((slf, columns.unwrap_or(&PyDict::new(slf.py()))))
-    }
-
     /// The scene with every number that is known within a range at its "lower" or "upper" end, or
     /// in the "middle", where answers in single numbers are calculated.
     fn at(&self, end: &str) -> PyResult<Self> {
         Ok(Self(Arc::new(self.0.taken_at(end).map_err(value_error)?.0)))
-    }
-
-    /// What is known best about the scene under loads: by boundary elements on its scan, where that
-    /// was solved; else as they are expected from solved surfaces, with an interval that holds nine
-    /// of ten; else by the first valid model, without one. The model "best" gives the same numbers.
-    ///
-    /// ``solve=True`` solves the scan at the loads; ``solved`` takes what ``asperity.bem`` has
-    /// solved. By default the quantities are area, tangent, unloading-stiffness and, as the scene
-    /// has them, tangential-stiffness and thermal-conductance-per-area; the mean gap is always
-    /// there. Curved bodies have an answer under loads or at approaches [m], by one model, without
-    /// an interval.
-    ///
-    /// >>> import asperity
-    /// >>> answer = asperity.Scene.parse(asperity.template()).answer(load="100 N")
-    /// >>> answer.lower["area"] < answer.value["area"] < answer.upper["area"]
-    /// True
-    #[pyo3(signature = (
-        quantities=None, *, load=None, pressure=None, approach=None, rtol=1e-10, solve=false,
-        solved=None
-    ))]
-    #[expect(clippy::too_many_arguments, reason = "the signature in Python")]
-    fn answer<'py>(
-        slf: &Bound<'py, Self>,
-        quantities: Option<Object<'py>>,
-        load: Option<Object<'py>>,
-        pressure: Option<Object<'py>>,
-        approach: Option<Object<'py>>,
-        rtol: f64,
-        solve: bool,
-        solved: Option<Object<'py>>,
-    ) -> PyResult<Object<'py>> {
-        let answer = slf.py().import("asperity._advice")?.getattr("answer")?;
-        answer.call1((slf, quantities, load, pressure, approach, rtol, solve, solved))
-    }
-
-    /// The patch of curved bodies under a load [N], by "best" or another model: at each point
-    /// ``x_m``, ``y_m``, ``pressure_Pa`` beside ``hertz_pressure_Pa`` of smooth bodies,
-    /// ``separation_m`` from the mean of the asperity heights, ``area_fraction``, and
-    /// ``tangential_flexibility_m3_per_N`` of the rough layer, to be added to that of the bodies.
-    #[pyo3(signature = (load, model="best", *, rtol=1e-6))]
-    fn profile<'py>(
-        slf: &Bound<'py, Self>,
-        load: Object<'py>,
-        model: &str,
-        rtol: f64,
-    ) -> PyResult<Object<'py>> {
-        let profile = slf.py().import("asperity._advice")?.getattr("profile")?;
-        profile.call1((slf, load, model, rtol))
     }
 
     /// One asperity of the surface with every input resolved.

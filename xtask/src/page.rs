@@ -1,7 +1,5 @@
 //! The page: the explorer in `target/page`, with relative links only.
 
-mod gallery;
-
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -23,7 +21,6 @@ pub fn write(keep_module: bool) -> Result<PathBuf> {
     let folder = target_folder().join("page");
     copy(&root().join("crates/apps/web/www"), &folder)?;
     copy(&root().join("crates/answer/scene/examples"), &folder.join("examples"))?;
-    gallery::write(&folder)?;
     if !keep_module {
         build(&folder)?;
     }
@@ -67,7 +64,7 @@ mod tests {
 
     #[test]
     fn a_page_may_load_what_its_script_needs_and_nothing_inline() {
-        for name in ["index.html", "gallery.html", "models.html"] {
+        for name in ["index.html", "models.html"] {
             let page = read(&root().join("crates/apps/web/www").join(name)).unwrap();
             let allowed = page.contains("script-src 'self' 'wasm-unsafe-eval';");
             assert!(page.contains("content=\"default-src 'none';"), "{name}");

@@ -1,6 +1,4 @@
-//! The gallery: the figures of the paper, each with links that open its scenes in the explorer.
-
-use std::path::Path;
+//! Links beside the figures of the paper, which open their scenes in the explorer.
 
 use anyhow::{Context, Result};
 use asperity::Scene;
@@ -8,11 +6,8 @@ use asperity_scene::SceneFile;
 use asperity_web::Desk;
 use serde_json::{Value, json};
 
-use crate::figures::{FIGURES, captions, models, paper};
-use crate::folder::{copy, figures_folder, read, write as save};
+use crate::figures::{models, paper};
 
-/// Where the figures go in the gallery's page.
-const PLACE: &str = "<!-- figures -->";
 /// What the explorer draws in place of a quantity of two of the papers.
 const OTHER_STIFFNESS: &str =
     " (tangents; for Gao and AT the figure shows the papers' average of asperity stiffnesses)";
@@ -25,28 +20,21 @@ struct LinkedScene {
     view: &'static str,
 }
 
-/// Writes the pictures and fills the gallery's page.
-pub(super) fn write(folder: &Path) -> Result<()> {
-    let mut sections = String::new();
-    for (name, ..) in FIGURES.iter().filter(|figure| figure.0.starts_with("fig")) {
-        let file = format!("{name}.svg");
-        copy(&figures_folder().join(&file), &folder.join("gallery").join(&file))?;
-        let title = captions::of(name)?.0;
-        let link = |one: &LinkedScene| -> Result<String> {
-            let label = one.label.replace("_z", "<sub>z</sub>");
-            Ok(format!("<a href=\"index.html#s={}\">{label}</a>", link(one)?))
-        };
-        let links = scenes(name)?.iter().map(link).collect::<Result<Vec<_>>>()?.join(", ");
-        let other = if title.contains("stiffness") { OTHER_STIFFNESS } else { "" };
-        let number = name.trim_start_matches(['f', 'i', 'g', '0']).split('-').next();
-        let number = number.unwrap_or_default();
-        sections += &format!(
-            "<section><h2>Figure {number}: {title}</h2><p>Open in the explorer: {links}{other}</p>\
-             <figure><img src=\"gallery/{file}\" alt=\"{title}\" loading=\"lazy\"></figure></section>\n"
-        );
+/// The links of a figure of the paper, from a page of the guide; nothing of other figures.
+///
+/// # Errors
+/// A scene that cannot be written.
+pub fn links(figure: &str) -> Result<String> {
+    if !figure.starts_with("fig") {
+        return Ok(String::new());
     }
-    let path = folder.join("gallery.html");
-    save(&path, read(&path)?.replace(PLACE, &sections))
+    let link = |one: &LinkedScene| -> Result<String> {
+        let label = one.label.replace("_z", "<sub>z</sub>");
+        Ok(format!("<a href=\"../index.html#s={}\">{label}</a>", link(one)?))
+    };
+    let links = scenes(figure)?.iter().map(link).collect::<Result<Vec<_>>>()?.join(", ");
+    let other = if figure.contains("stiffness") { OTHER_STIFFNESS } else { "" };
+    Ok(format!("Open in the explorer: {links}{other}\n\n"))
 }
 
 /// The scenes of a figure of the paper.
@@ -61,9 +49,9 @@ fn scenes(figure: &str) -> Result<Vec<LinkedScene>> {
     let all = |label: &str, scene| {
         vec![LinkedScene { label: label.into(), scene, models: &models::PAPER, view }]
     };
-    let of_at = |(std, _, label): (f64, &str, &str)| {
-        let scene = models::scene(std)?;
-        Ok(LinkedScene { label: label.into(), scene, models: &["at"], view })
+    let of_at = |std: f64| {
+        let scene = models::scene(1e-6 * std)?;
+        Ok(LinkedScene { label: paper::label(std), scene, models: &["at"], view })
     };
     match words.next() {
         Some("kucharski") => Ok(all("Kucharski's steel", models::kucharski()?)),
@@ -86,7 +74,8 @@ fn link(opened: &LinkedScene) -> Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figures::FigureSpec;
+    use crate::figures::{FIGURES, FigureSpec};
+    use crate::folder::{figures_folder, read};
 
     fn csv(figure: &FigureSpec) -> Result<String> {
         read(&figures_folder().join(format!("{}.csv", figure.0)))
@@ -137,13 +126,10 @@ mod tests {
     }
 
     #[test]
-    fn every_figure_of_the_paper_has_a_picture_and_links() {
-        let folder = tempfile::tempdir().unwrap();
-        save(&folder.path().join("gallery.html"), format!("<main>{PLACE}</main>")).unwrap();
-        write(folder.path()).unwrap();
-        let page = read(&folder.path().join("gallery.html")).unwrap();
-        assert_eq!(page.matches("<section>").count(), 7);
-        assert_eq!(page.matches("index.html#s=").count(), 3 * 4 + 4);
-        assert!(folder.path().join("gallery/fig10-area-kucharski.svg").is_file());
+    fn every_figure_of_the_paper_has_links() -> Result<()> {
+        let all: String = FIGURES.iter().map(|f| links(f.0)).collect::<Result<_>>()?;
+        assert_eq!(all.matches("Open in the explorer").count(), 7);
+        assert_eq!(all.matches("index.html#s=").count(), 3 * 4 + 4);
+        Ok(())
     }
 }
