@@ -28,7 +28,10 @@ pub fn at_values(
             part.extend(scene_findings(&varied, true).into_iter().filter(is_new).collect());
             with_ranges(&varied, &mut part, &fill)
         });
-        filled.map_err(|error| error.of_model(&format!("{name} = {}", shortest_digits(value))))?;
+        if let Err(error) = filled {
+            sheet.findings.extend(part.findings);
+            return Err(error.of_model(&format!("{name} = {}", shortest_digits(value))));
+        }
         sheet.append(part, &column_of(name), &value.into());
     }
     Ok(())

@@ -7,7 +7,7 @@ mod evidence;
 pub mod recommended;
 
 pub use best::{Answering, Best, BestContact, Known, Other, SolvedContact, Source};
-pub use check::{Check, DerivedNumber, Plausible, unusual};
+pub use check::{Check, DerivedNumber, Plausible, outside, unusual};
 pub use evidence::{
     Compared, Estimate, Evidence, EvidenceCase, EvidenceRow, ExpectedContact, SurfaceShape,
     compile_known,

@@ -4,7 +4,7 @@
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     Advice, At, Check, Code, Contact, ContactError, ContactModel, DerivedNumber, Finding, Findings,
-    HeightDistribution, Plausible, ProfileMoments, Quantity, Request, unusual,
+    HeightDistribution, Plausible, ProfileMoments, Quantity, Request, outside, unusual,
 };
 use asperity_topography::Statistics;
 
@@ -79,10 +79,57 @@ impl SceneFile {
         let of_offset = offset.and_then(|offset| unusual("mean_plane_offset", offset));
         let found = found.into_iter().chain(of_offset).chain(of_gap);
         let found = found.chain(self.of_bodies()).chain(of_pair).chain(of_seal).chain(of_radii);
-        let found = self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
+        let found = found.chain(self.of_outline());
+        let mut found: Vec<Finding> =
+            self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
+        self.judge_ends(&mut found);
+        let found = found.into_iter().collect();
         let found = self.accepted(found).into_iter();
         let found = found.filter(|found| !self.warnings.contains(found));
         found.filter_map(|found| self.without_stated_unit(found)).collect()
+    }
+
+    /// Judges numbers that are written as ranges at both ends: findings of the middle stay where no
+    /// range changes them, and of the ends the worst of each number is added.
+    fn judge_ends(&self, found: &mut Vec<Finding>) {
+        let (spec, mut worst) = (&self.spec, Vec::<Finding>::new());
+        for (input, range) in &self.ranges {
+            let at_end = |value: f64| {
+                let made = self.with_inputs([(*input, value)]);
+                let made = made.map(|made| Self { ranges: vec![], ..made }.findings());
+                let found = made.into_iter().flatten();
+                found.filter(|one| input.is_beside(one, spec)).collect::<Vec<_>>()
+            };
+            let ends = range.ends.map(at_end);
+            let is_at =
+                |end: &Vec<Finding>, one: &Finding| end.iter().any(|e| e.field == one.field);
+            found.retain(|one| {
+                let is_kept = !input.is_of(one, spec) && ends.iter().all(|end| is_at(end, one));
+                !input.is_beside(one, spec) || is_kept
+            });
+            for (end, of_end) in ["lower", "upper"].into_iter().zip(ends) {
+                for new in of_end.into_iter().filter(|new| !is_at(found, new)) {
+                    let new = new.from_origin(format!("{end} end of {}", range.name));
+                    match worst.iter_mut().find(|known| known.field == new.field) {
+                        Some(known) if new.excess() > known.excess() => *known = new,
+                        Some(_) => {}
+                        None => worst.push(new),
+                    }
+                }
+            }
+        }
+        found.extend(worst);
+    }
+
+    /// A finding where the nominal area is not that of the seal.
+    fn of_outline(&self) -> Option<Finding> {
+        let area = self.spec.seal?.area().filter(|_| self.spec.curvature.is_none())?;
+        let (given, advice) = (
+            self.spec.nominal_area,
+            "the area of [seal] is another one: leave nominal_area out, which follows from it",
+        );
+        let found = outside("nominal_area", given, [0.95 * area, 1.05 * area])?;
+        found.with_stated_unit().map(|found| found.advice(advice).implausible(false))
     }
 
     /// The unusual ones among the numbers of the surfaces from which their asperities follow.
@@ -92,7 +139,8 @@ impl SceneFile {
             let follows = is_pair || one.roughness().is_none_or(|one| one.way.is_of_surface());
             let numbers = if follows { one.numbers() } else { vec![] };
             numbers.into_iter().filter_map(move |(key, value)| {
-                let found = unusual(key, value)?;
+                let drawn = one.drawing().map(|drawing| drawing.unusual(key, value));
+                let found = drawn.unwrap_or_else(|| unusual(key, value))?;
                 Some(if is_pair { found.within(section) } else { found })
             })
         });
@@ -163,7 +211,7 @@ impl SceneFile {
         check.numbers.retain(|number| !is_given(number));
         check.numbers.splice(0..0, points.unknowns.iter().map(Unknown::derived));
         let asperities = place.is_none_or(|(model, _)| model.validity().asperities);
-        check.extend(points.middle.findings().for_asperities(asperities));
+        check.extend(self.findings().for_asperities(asperities));
         let found = all.iter().flat_map(|one| one.findings.iter());
         check.extend(Points::worst(&check.findings, found));
         check.findings = self.accepted(check.findings);

@@ -15,7 +15,7 @@ use toml::{Spanned, Table, Value};
 use crate::error::{Place, SceneError};
 use crate::keys::{COUNTERFACE, Field, Key, Subject, joined, keys_of, section_and_name};
 use crate::origin::Provenance;
-use crate::quantity::in_si;
+use crate::quantity::{in_si, range_hint};
 use crate::text_file::shorten;
 use crate::unknown::Unknown;
 
@@ -101,6 +101,8 @@ impl<'a> Document<'a> {
                 Some(units) => {
                     let number = in_si(text, key, units).map_err(|hint| {
                         let (at, found) = (self.place(path), format!("{:?}", shorten(text)));
+                        let range = range_hint(text).filter(|_| may_have_range(path));
+                        let hint = range.unwrap_or(hint);
                         SceneError::Notation { at, found, hint }
                     })?;
                     self.origin.stated.push(path.into());

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_2_PI;
 
-use asperity::{ContactError, nearest_name, positive, short};
+use asperity::{ContactError, Finding, nearest_name, outside, positive, short, unusual};
 
 use crate::document::Document;
 use crate::error::SceneError;
@@ -124,6 +124,19 @@ impl Drawing {
     /// The surface in the middle of its ranges.
     pub(crate) fn roughness(&self) -> Found<Roughness> {
         Ok(Roughness::of_profile(self.unknowns()?.map(|one| one.middle())))
+    }
+
+    /// The finding of an unusual number: of a roughness by the range of its finish.
+    pub(crate) fn unusual(&self, key: &'static str, value: f64) -> Option<Finding> {
+        let ra = self.height().and_then(|height| self.ra(&height)).ok();
+        let (Ok(Range { lower, upper, source, .. }), Some(ra), "ra" | "rq" | "rz") =
+            (self.range("ra"), ra, key)
+        else {
+            return unusual(key, value);
+        };
+        let found = outside(key, value, [*lower, *upper].map(|usual| usual * value / ra))?;
+        let advice = format!("{source}; check the number, its unit and the finish");
+        Some(found.advice(advice))
     }
 
     /// The number of a key, if it is given; an error if it is not positive.

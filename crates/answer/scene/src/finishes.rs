@@ -10,8 +10,8 @@ use crate::unknown::Unknown;
 /// A range of a number of surfaces of one finish, or of one ratio of cut-offs.
 #[derive(Debug, Clone, Deserialize)]
 pub(crate) struct Range {
-    /// The number: `rq_over_ra`, `rz_over_rq`, `slope` (over the usual one, at λ_s 2.5 µm),
-    /// `slope_longer` (at a cut-off 3.2 times as long over that), `skewness`, `along_over_across`
+    /// The number: `ra` \[m\], `rq_over_ra`, `rz_over_rq`, `slope` (over the usual one, at λ_s
+    /// 2.5 µm), `slope_longer` (at a cut-off 3.2 times as long over that), `skewness`, `along_over_across`
     /// (slopes, by the lay), `bandwidth`, `slope_over_rz_rsm` (over 2 Rz/RSm) or `wavelengths`
     /// (λ_s and λ_c \[m\]).
     what: String,
@@ -123,7 +123,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_line_is_a_range_and_every_finish_has_five() {
+    fn every_line_is_a_range_and_every_finish_has_six() {
         assert_eq!(TABLE.len(), include_str!("finishes.csv").lines().count() - 1);
         for Range { what, of, lower, upper, status, source } in TABLE.iter() {
             let is_positive = 0.0 < *lower || what == "skewness";
@@ -132,7 +132,8 @@ mod tests {
         }
         let key = crate::keys::KEYS.iter().find(|key| key.name == "finish").unwrap();
         assert_eq!(finishes().collect::<Vec<_>>().join("|"), key.form[1]);
-        for what in ["rq_over_ra", "rz_over_rq", "slope", "slope_longer", "along_over_across"] {
+        for what in ["ra", "rq_over_ra", "rz_over_rq", "slope", "slope_longer", "along_over_across"]
+        {
             assert!(
                 finishes().all(|finish| Range::of_finish(what, Some(finish)).is_ok()),
                 "{what}"

@@ -6,7 +6,7 @@ use toml::Value;
 use crate::document::Document;
 use crate::error::SceneError;
 use crate::keys::{BODY, INTERFACE, MECHANICAL};
-use crate::materials::{Material, materials, named};
+use crate::materials::{Material, materials_like, named, names};
 use crate::spec::Bodies;
 use crate::text_file::shorten;
 
@@ -60,12 +60,16 @@ fn body(document: &Document<'_>, section: &str) -> Result<Made, SceneError> {
                 return Err(document.conflict(&path("material"), &path(name), needed));
             }
             named(&id).map(|material| (material.body, Some(material))).ok_or_else(|| {
-                let ids = materials().iter().map(|material| &*material.id);
+                let like: Vec<&str> = materials_like(&id).iter().map(|one| &*one.id).collect();
+                let needed = match like[..] {
+                    [] => "a material of the list".into(),
+                    _ => format!("one of {}", like.join(", ")),
+                };
                 SceneError::Value {
                     at: document.place(&path("material")),
                     found: format!("{:?}", shorten(&id)),
-                    near: nearest_name(&id, ids).map(Into::into),
-                    needed: "a material of the list (`asperity list materials`)".into(),
+                    near: nearest_name(&id, names()).map(Into::into),
+                    needed: format!("{needed} (`asperity list materials`)"),
                 }
             })?
         }

@@ -85,6 +85,11 @@ pub(crate) fn named(id: &str) -> Option<&'static Material> {
     by_id.or_else(|| materials().iter().find(is_also))
 }
 
+/// The ids and other names of all materials.
+pub(crate) fn names() -> impl Iterator<Item = &'static str> {
+    materials().iter().flat_map(|one| one.also.iter().chain([&one.id])).map(String::as_str)
+}
+
 /// The materials whose id or name contains a word: `steel`, `6082`.
 #[must_use]
 pub fn materials_like(word: &str) -> Vec<&'static Material> {

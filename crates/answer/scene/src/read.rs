@@ -129,8 +129,10 @@ fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scan
     document.check_sections()?;
     let options = ModelOptions::default().with_keys(document, "options")?;
     let curvature = curvature(document)?;
+    let seal = seal(document)?;
+    let of_seal = seal.and_then(|seal| seal.area()).filter(|_| !document.has("nominal_area"));
     let nominal_area = match curvature {
-        None => document.needed_number("nominal_area")?,
+        None => of_seal.map_or_else(|| document.needed_number("nominal_area"), Ok)?,
         Some(_) => 1.0,
     };
     let names: Vec<String> = document.get("accept")?.unwrap_or_default();
@@ -152,7 +154,6 @@ fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scan
         }),
         false => None,
     };
-    let seal = seal(document)?;
     let mut spec = SceneSpec {
         counterface: second,
         is_smooth,

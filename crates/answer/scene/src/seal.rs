@@ -94,6 +94,11 @@ fn refuse(
 }
 
 impl Seal {
+    /// The area of its faces \[m²\], if its outline is given.
+    pub(crate) fn area(&self) -> Option<f64> {
+        Some(self.width? * self.perimeter.or(self.length)?)
+    }
+
     /// Its outline, pressures and fluid.
     ///
     /// # Errors
@@ -194,7 +199,8 @@ mod tests {
     const SIDES: &str = "upstream_pressure = \"10 bar\"\ndownstream_pressure = 1e5\n";
 
     fn with(seal: &str) -> Result<SceneFile, SceneError> {
-        parse(&format!("{}\n[seal]\n{seal}", template()), Path::new("."))
+        let template = template().replace("nominal_area = 1e-4", "nominal_area = 2e-4");
+        parse(&format!("{template}\n[seal]\n{seal}"), Path::new("."))
     }
 
     #[test]
@@ -231,6 +237,22 @@ mod tests {
         let bare = with(&helium.replace("\"10 bar\"", "10").replace("1e5", "1")).unwrap();
         let found: Vec<_> = bare.findings().into_iter().map(|one| one.field.to_string()).collect();
         assert_eq!(found, ["seal.upstream_pressure"]);
+    }
+
+    #[test]
+    fn the_nominal_area_is_that_of_the_seal() {
+        let fields = |text: &str| {
+            let found = parse(text, Path::new(".")).unwrap();
+            let fields: Vec<String> =
+                found.findings().iter().map(|f| f.field.to_string()).collect();
+            (found.scene.nominal_area, fields)
+        };
+        let ring = format!("[seal]\nperimeter = 0.1\nwidth = \"2 mm\"\n{SIDES}gas = \"air\"\n");
+        let both = format!("{}\n{ring}", template());
+        assert_eq!(fields(&both), (1e-4, vec!["nominal_area".into()]));
+        let (area, found) = fields(&both.replace("nominal_area = 1e-4", ""));
+        assert!((area / 2e-4 - 1.0).abs() < 1e-12 && found.is_empty(), "{found:?}");
+        assert_eq!(fields(&both.replace("2 mm", "2 m")).1, ["seal.width", "nominal_area"]);
     }
 
     #[test]

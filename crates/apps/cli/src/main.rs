@@ -10,6 +10,7 @@ mod output;
 mod scene;
 
 use std::any::TypeId;
+use std::ffi::OsString;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -44,7 +45,9 @@ fn program() -> Command {
 fn main() -> ExitCode {
     input::set_program(program);
     let mut program = program();
-    let matches = program.try_get_matches_from_mut(std::env::args_os());
+    let arguments: Vec<OsString> = std::env::args_os().collect();
+    input::check_units(&arguments);
+    let matches = program.try_get_matches_from_mut(arguments);
     let matches = matches.unwrap_or_else(|e| e.exit());
     input::destinations::check(&program, &matches);
     let Cli { command, treatment } = Cli::from_arg_matches(&matches).unwrap_or_else(|e| e.exit());

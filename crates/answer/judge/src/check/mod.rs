@@ -13,7 +13,7 @@ use std::borrow::Cow;
 
 use serde::{Serialize, Serializer};
 
-pub use self::usual::unusual;
+pub use self::usual::{outside, unusual};
 use crate::recommended::{DMT, JKR, JKR_SEPARATION};
 use asperity_core::{
     ATOMIC_DISTANCE, Code, ContactError, Finding, Findings, HeightDistribution, Scene, short,

@@ -17,6 +17,8 @@ const SOFTEST: f64 = 1.5e-3;
 const RUBBER: f64 = 1e8;
 /// Modulus \[Pa\] below which a material is a polymer or softer.
 const PLASTIC: f64 = 3e9;
+/// Hardness \[Pa\] above that of all polymers.
+const METAL: f64 = 5e8;
 /// Smallest H/E of polymers.
 const PLASTIC_RATIO: f64 = 0.02;
 /// H/S_y.
@@ -91,7 +93,11 @@ fn elastic_plastic(
         of_strength.map(|f| f.clone().implausible(f.is_implausible() || is_modulus(f.value)));
     let found: Findings = unusual(field, modulus).into_iter().chain(of_strength).collect();
     let Some((key, value)) = strength.filter(|_| found.is_empty()) else { return found };
-    let usual = ratios(modulus, key == "hardness");
+    let is_hardness = key == "hardness";
+    let least = if is_hardness { METAL } else { METAL / HARDNESS_OVER_YIELD };
+    // A strength that no polymer has shows a modulus that no metal has.
+    let is_metal = value >= least && modulus < PLASTIC;
+    let usual = ratios(if is_metal { STIFF } else { modulus }, is_hardness);
     if !within(value / modulus, usual) {
         let advice = format!(
             "{key} over modulus is {}, where {} to {} is usual; {CHECK_UNIT}",
@@ -100,7 +106,10 @@ fn elastic_plastic(
             short(usual[1])
         );
         // No unit is likely: the number alone is usual.
-        let odd = outside(key, value, usual.map(|ratio| ratio * modulus));
+        let odd = match is_metal {
+            true => outside(field, modulus, [value / usual[1], value / usual[0]]),
+            false => outside(key, value, usual.map(|ratio| ratio * modulus)),
+        };
         let odd = odd.and_then(Finding::with_stated_unit).map(|found| {
             let is_odd = found.excess() > 10.0 || is_modulus(value);
             found.advice(advice).implausible(is_odd)
@@ -145,6 +154,11 @@ mod tests {
             let found = Body::new(modulus, 0.4, hardness).findings();
             let [one] = &found[..] else { panic!("{found:?}") };
             assert_eq!((&*one.field, one.is_implausible()), ("hardness", is_implausible), "{one}");
+        }
+        // No polymer is so hard, and no metal so soft.
+        for (modulus, hardness) in [(210e6, 2e9), (70e6, 1e9), (2e9, 1e9)] {
+            let found = Body::new(modulus, 0.3, hardness).findings();
+            assert_eq!((found.len(), &*found[0].field), (1, "youngs_modulus"), "{found:?}");
         }
     }
 }

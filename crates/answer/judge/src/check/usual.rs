@@ -26,7 +26,7 @@ const RADII: [&str; 7] = [
 ];
 
 /// From elastomers to diamond; asperities from atomic corrugation to the stones of asphalt.
-const USUAL: [Usual; 27] = [
+const USUAL: [Usual; 30] = [
     (&["youngs_modulus", "equivalent_modulus"], [1e6, 2e12], 1e11, "Pa"),
     (&["equivalent_shear_modulus"], [3e5, 1e12], 3e10, "Pa"),
     (&["hardness"], [1e5, 1.5e11], 3e9, "Pa"),
@@ -54,7 +54,9 @@ const USUAL: [Usual; 27] = [
     (&["spc"], [100.0, 5e8], 5e3, "1/m"),
     (&["m0"], [1e-21, 4e-6], 1e-12, "m2"),
     (&["m4"], [100.0, 1e17], 5e4, "1/m2"),
-    (&["mean_slope", "rms_gradient", "height_std_over_radius"], [0.0, 1.0], 0.1, ""),
+    (&["mean_slope", "rdq", "rms_gradient", "height_std_over_radius"], [0.0, 1.0], 0.1, ""),
+    // Of profiles and of random surfaces, from atoms to waviness.
+    (&["rsm", "wavelength"], [1e-10, 0.05], 1e-4, "m"),
     (&["mean_plane_offset"], [-2e-3, 2e-3], 1e-6, "m"),
     // Of gases and liquids; the jump distance is that of air at 1e-4 bar at most.
     (&["gas_conductivity"], [1e-3, 100.0], 0.03, "W/(m K)"),
@@ -62,11 +64,13 @@ const USUAL: [Usual; 27] = [
     // From tips of probes to nearly conforming bodies.
     (&RADII, [1e-8, 5.0], 0.1, "m"),
     // Of seals, from instruments to long flanges.
-    (&["width", "length", "perimeter"], [1e-5, 100.0], 0.01, "m"),
+    (&["width"], [1e-6, 1.0], 0.01, "m"),
+    (&["length", "perimeter"], [1e-5, 100.0], 0.1, "m"),
     (&["upstream_pressure"], [100.0, 1e9], 1e6, "Pa"),
     // From hydrogen to thick oils and greases.
     (&["viscosity"], [5e-6, 10.0], 0.01, "Pa s"),
     (&["density"], [50.0, 2.5e4], 1e3, "kg/m^3"),
+    (&["temperature"], [100.0, 1500.0], 293.0, "K"),
     (&["molar_mass"], [1e-3, 0.5], 0.03, "kg/mol"),
     (&["roughness_parameter"], Surface::USUAL_ASPERITY_ROUGHNESS, 0.04, ""),
 ];
@@ -87,7 +91,8 @@ pub fn unusual(key: &'static str, value: f64) -> Option<Finding> {
 }
 
 /// The same with another usual range.
-pub(super) fn outside(key: &'static str, value: f64, usual: [f64; 2]) -> Option<Finding> {
+#[must_use]
+pub fn outside(key: &'static str, value: f64, usual: [f64; 2]) -> Option<Finding> {
     let (.., typical, si) = *USUAL.iter().find(|(keys, ..)| keys.contains(&key))?;
     if within(value, usual) {
         return None;
@@ -120,7 +125,7 @@ fn units(key: &str, si: &str, value: f64) -> Vec<(&'static str, f64)> {
             let rockwell = vickers_of_rockwell_c(value).map(hardness_of_vickers);
             units.extend(rockwell.map(|pascals| ("HRC", pascals / value)));
         }
-        "mean_slope" => units.push(("%", 0.01)),
+        "mean_slope" | "rdq" => units.push(("%", 0.01)),
         _ => {}
     }
     units

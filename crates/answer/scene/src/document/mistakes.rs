@@ -6,7 +6,7 @@ use toml::de::Error;
 use super::Document;
 use crate::error::{Place, SceneError};
 use crate::keys::{Key, section_and_name};
-use crate::quantity::notation_hint;
+use crate::quantity::{notation_hint, range_hint};
 use crate::text_file::shorten;
 
 impl Document<'_> {
@@ -22,7 +22,12 @@ impl Document<'_> {
             "f64" if found.starts_with('[') && super::may_have_range(path) => {
                 format!("a number, or two as the ends of a range ({meaning}),")
             }
-            "f64" => format!("a number ({meaning})"),
+            "f64" => match range_hint(found.trim_matches('"')) {
+                Some(hint) if super::may_have_range(path) => {
+                    return SceneError::Notation { at: self.place(path), found, hint };
+                }
+                _ => format!("a number ({meaning})"),
+            },
             "a boolean" => "true or false".into(),
             "a sequence" => format!("a list ({meaning})"),
             "path string" => format!("the path of a file, in quotes ({meaning}),"),
@@ -70,5 +75,6 @@ fn other_notation(line: &str) -> Option<String> {
         return Some("each of two bodies is written [[body]]; ".into());
     }
     let value = line.split_once('=')?.1.split('#').next()?.trim();
-    notation_hint(value).map(|hint| format!("{value} {hint}; "))
+    let hint = range_hint(value).or_else(|| notation_hint(value).map(Into::into));
+    hint.map(|hint| format!("{value} {hint}; "))
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::{ContactModel, Quantity, Request};
+use asperity::{Code, ContactModel, Quantity, Request};
 use asperity_scene::{SceneError, SceneFile, Unknown, parse};
 
 use crate::two_surfaces::HEAD;
@@ -301,6 +301,65 @@ fn any_number_may_be_a_range() {
         let left = file.with_inputs([(other, 3e-4)]).unwrap().unknowns();
         assert_eq!(left.len(), usize::from(name != "nominal_area"));
     }
+}
+
+#[test]
+fn roughness_is_judged_by_its_finish_and_ranges_at_their_ends() {
+    let found = |text: &str| {
+        let file = parse(text, Path::new(".")).unwrap();
+        let checked = file.check(None).unwrap().findings;
+        let [all, checked] = [file.findings(), checked].map(|found| {
+            let found = found.into_iter().filter(|one| one.code == Code::UnusualSize);
+            found.map(|one| (one.field.to_string(), one.origin)).collect::<Vec<_>>()
+        });
+        assert_eq!(checked, all);
+        all
+    };
+    let drawn = |keys: &str| found(&format!("{}{keys}\n", HEAD.replace("1e-8", "1e-4")));
+    for (keys, field) in [
+        ("finish = \"ground\"\nra = \"160 um\"", "ra"),
+        ("finish = \"ground\"\nrq = \"0.8 nm\"", "rq"),
+        ("finish = \"ground\"\nrz = 5", "rz"),
+        ("finish = \"polished\"\nrz = \"0.8 nm\"", ""),
+        ("finish = \"turned\"\nra = \"25 um\"", ""),
+        ("rz = \"5 um\"\nrsm = 120", "rsm"),
+    ] {
+        let fields: String = drawn(keys).into_iter().map(|(field, _)| field).collect();
+        assert_eq!(fields, field, "{keys}");
+    }
+    let body = |modulus: &str, hardness: &str| {
+        let steel = "[[body]]\nmaterial = \"steel-100cr6\"\n";
+        let own = format!(
+            "[[body]]\nyoungs_modulus = {modulus}\npoissons_ratio = 0.3\nhardness = {hardness}\n"
+        );
+        found(&format!("nominal_area = 1e-4\n{own}{steel}{MOMENTS}"))
+    };
+    let end = |key: &str, end: &str| {
+        vec![(format!("body[1].{key}"), Some(format!("{end} end of body1_{key}")))]
+    };
+    assert_eq!(body("2.1e11", "[1.6e6, 2.4e9]"), end("hardness", "lower"));
+    assert_eq!(body("2.1e11", "[1.6e9, 2.4e12]"), end("hardness", "upper"));
+    assert_eq!(body("[2.1e8, 2.1e11]", "2e9"), end("youngs_modulus", "lower"));
+    assert_eq!(body("2.1e8", "2e9"), [("body[1].youngs_modulus".into(), None)]);
+    assert_eq!(body("2.1e11", "[1.6e9, 2.4e9]"), []);
+}
+
+#[test]
+fn a_range_that_is_one_text_is_refused_with_how_it_is_written() {
+    for (text, written) in [
+        ("\"1.6-2.4 GPa\"", "[\"1.6 GPa\", \"2.4 GPa\"]"),
+        ("\"1.6..2.4 GPa\"", "[\"1.6 GPa\", \"2.4 GPa\"]"),
+        ("\"1.6 to 2.4 GPa\"", "[\"1.6 GPa\", \"2.4 GPa\"]"),
+        ("\"160 MPa \u{2013} 2.4 GPa\"", "[\"160 MPa\", \"2.4 GPa\"]"),
+        ("\"2 +- .4 GPa\"", "[\"1.6 GPa\", \"2.4 GPa\"]"),
+        ("1.6e9-2.4e9", "[1.6e9, 2.4e9]"),
+    ] {
+        let text = format!("{}{MOMENTS}", INTERFACE.replace("= 2e9", &format!("= {text}")));
+        let error = parse(&text, Path::new(".")).unwrap_err().to_string();
+        assert!(error.contains(written), "{error}");
+    }
+    let text = format!("{}{MOMENTS}", INTERFACE.replace("= 0.3", "= \"0.2-0.3\""));
+    assert!(parse(&text, Path::new(".")).unwrap_err().to_string().ends_with("[0.2, 0.3]"));
 }
 
 #[test]

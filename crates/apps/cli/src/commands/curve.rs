@@ -20,7 +20,7 @@ use crate::input::varied::Varied;
 use crate::interrupt::Terminal;
 use crate::output::plot::{POINTS, Plot};
 use crate::output::table::csv;
-use crate::output::{print_results, write, write_text};
+use crate::output::{print_results, show, write, write_text};
 use crate::scene::LoadedScene;
 
 /// The default quantities.
@@ -175,7 +175,10 @@ impl Curve {
             let text = "--profile is of one --model at one --load, of a scene with [curvature]";
             usage_error("curve", ErrorKind::ArgumentConflict, text);
         };
-        let of_patch = patch(&scene.file, id, *load, request.tolerance);
+        let (file, note) = scene.file.taken_at("middle")?;
+        let note = note.into_iter().map(|note| note.from_origin("--profile"));
+        show(&file.accepted(note.collect()));
+        let of_patch = patch(&file, id, *load, request.tolerance);
         let [all, axes] = of_patch.with_context(|| scene.name.clone())?;
         if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("svg")) {
             let plot = Plot::new(&["contact"], "distance_m", &["pressure_Pa", "area_fraction"]);

@@ -1,6 +1,6 @@
 //! `asperity generate`: a random surface with a given spectrum.
 
-use asperity::Code;
+use asperity::{Code, unusual};
 use std::path::PathBuf;
 
 use anyhow::{Context, Result};
@@ -90,6 +90,15 @@ impl Generate {
         ];
         for (code, _, text) in odd.into_iter().filter(|(_, is_so, _)| *is_so) {
             output::warn(code, text);
+        }
+        let lengths = [("--long", self.long), ("--short", self.short), ("--pixel", dx)];
+        let lengths = lengths.map(|(option, value)| (option, "wavelength", Some(value)));
+        let others = [("--roll-off", "wavelength", self.roll_off), ("--sq", "sq", self.sq)];
+        for (option, key, value) in lengths.into_iter().chain(others) {
+            if let Some(mut found) = value.and_then(|value| unusual(key, value)) {
+                found.field = option.into();
+                output::show([&found]);
+            }
         }
         let map = valid("generate", surface.map([rows, columns]));
         let shape = map.shape();
