@@ -123,7 +123,12 @@ impl Answer {
             return Ok(Basis { by, widest, also: String::new() });
         }
         let best = middle.best().on(&middle.scene, self.request.tolerance)?;
-        Ok(Basis { widest, ..basis(&best, &self.request.quantities, at) })
+        let mut basis = basis(&best, &self.request.quantities, at);
+        if self.request.at.len() > 1 {
+            let load = at.load(&middle.scene).map(|load| in_words(load, "N"));
+            basis.by = format!("at {}, {}", load.unwrap_or_default(), basis.by);
+        }
+        Ok(Basis { widest, ..basis })
     }
 
     fn fill(&self, file: &SceneFile, sheet: &mut Sheet) -> Outcome {

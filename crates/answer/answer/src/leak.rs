@@ -10,7 +10,7 @@ use crate::sheet::warning;
 /// The least gap \[m\] for which laws of flow are known.
 const NANOMETRE: f64 = 1e-9;
 
-/// A share of the pressures beyond the fit of the flow that changes a leak by less than a hundredth.
+/// A share of the pressures beyond the fit of the flow that changes a leak by less than 1 %.
 const NEGLIGIBLE: f64 = 0.02;
 
 /// Why there is no gap on a path.

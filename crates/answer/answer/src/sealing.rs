@@ -1,7 +1,7 @@
 //! The mean pressures at which contacts of a scan, and of surfaces like it, close their last path.
 
 use asperity::bem::{Bem, Continuation, Direction, Progress, Sealing, Solution};
-use asperity::{ATOMIC_DISTANCE, Code, Finding, short};
+use asperity::{ATOMIC_DISTANCE, Code, short};
 use asperity_scene::SceneFile;
 
 use crate::leak::tight;
@@ -44,13 +44,16 @@ pub fn sealing(
             watch.step(&format!("bem: sample {sample} of {samples}, load {load}"))
         };
         match elements.sealing(molecule, progress) {
-            Ok((sealed, _)) if sample > 0 => found.push(sealed),
             Ok((sealed, last)) => {
-                // Several samples are what few patches need.
-                let is_shown = |note: &Finding| note.code != Code::FewPatches;
-                let notes = last.iter().flat_map(|last| last.notes.clone());
-                sheet.findings.extend(notes.filter(is_shown));
-                (found, heaviest) = (vec![sealed], last);
+                // Several samples are what few patches need; of like notes the first sample's.
+                for note in last.iter().flat_map(|last| last.notes.clone()) {
+                    let is_known = sheet.findings.iter().any(|known| known.code == note.code);
+                    if note.code != Code::FewPatches && !is_known {
+                        sheet.findings.push(note);
+                    }
+                }
+                found.push(sealed);
+                heaviest = heaviest.or(last.filter(|_| sample == 0));
             }
             Err(_) if watch.is_stopped() => break,
             Err(error) => {

@@ -13,7 +13,7 @@ const FINER: f64 = 0.4;
 const MOST: usize = 9;
 /// How far a step moves an end that is found, as a share of the distance of both.
 const SETTLED: f64 = 0.003;
-/// Beside a pole, the last step moves an end by more than this share, or all of them have moved both
+/// Beside a pole, the last step moves an end by more than this share, or all of them move both
 /// apart by this factor.
 const GROWING: f64 = 0.05;
 const GROWN: f64 = 4.0;
@@ -194,7 +194,8 @@ impl Seeker {
         is_sought.then_some(new)
     }
 
-    /// Adds the combinations of ends at which it is smallest and largest if every unknown acts alone.
+    /// Adds the combinations of ends at which it is smallest and largest if each unknown acts
+    /// alone.
     fn add_corners(&mut self, known: &mut Known, corners: usize) {
         let effect = |unknown: usize| -> f64 {
             let signed = |point: usize| {

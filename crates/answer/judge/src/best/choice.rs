@@ -114,7 +114,7 @@ impl<M: Answering> BestContact<M> {
         nearest.or_else(first).map(|one| &one.model)
     }
 
-    /// That the asperities of the model whose value is the answer are pressed in deeply, if they are.
+    /// That the asperities of a model are pressed in deeply, if they are.
     pub(super) fn deep(&self, id: &str, at: At) -> Option<Finding> {
         let place = self.place(at);
         let mut all = self.candidates(&place.judged, at);
