@@ -62,8 +62,8 @@ pub const SOURCE: Citation = Citation {
 impl PatirCheng {
     /// A factor at H, the film over σ: a mean of both surfaces weighted by their shares in the mean
     /// square of all heights, which is exact for thick films; of the factors of shear the weighted
-    /// difference, with the error of its terms. Of an oblique lay it is the component along x (or y)
-    /// of the tensor with the factors along and across the lay. \[derived\]
+    /// difference, with the error of its terms. Of an oblique lay it is the component along x, or
+    /// y, of the tensor with the factors along and across the lay. \[derived\]
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] for a film or a Peklenik number outside the range of the fit,
