@@ -3,9 +3,9 @@
     pip install surfalize SurfaceTopography; python surface_parameters.py > surface_parameters.csv
 
 Made with surfalize 0.19.2 and SurfaceTopography 1.27.1. Heights in um at (x, y) points; lengths in
-um. The curve of material ratios has a class for each point; its areas end at the class nearest to
-the limit of the core, so that those of asperity, which end at the limit, differ by parts of a
-point's share; they are computed by NumPy (names in lower case). Sal and Str of surfalize follow a
+um. The curve of material ratios has a class for each point; its areas are those
+under a line, up to the class nearest to the limit of the core; those of asperity, means over the
+points, differ by parts of a point's share; they are computed by NumPy (names in lower case). Sal and Str of surfalize follow a
 cubic spline along rays, those of asperity the contour between neighbouring lags: they agree to
 parts of a point.
 """
@@ -54,24 +54,25 @@ for case, stretch in [("broad", 1.0), ("lay", 0.3)]:
         value = float(getattr(curve, name)())
         value = value / 100 if name.startswith("mr") else value
         out.append(f"{case},S{name},,{value!r}")
-    # The same areas, ended at the limits.
+    # The same areas, as means over the points.
     ratios = np.linspace(0, 1, z.size)
     curved = np.sort((z - z.mean()).ravel())[::-1]
 
-    def area(low, high, level):
-        inside = (ratios > low) & (ratios < high)
-        p = np.concatenate([[low], ratios[inside], [high]])
-        return np.trapezoid(np.interp(p, ratios, curved) - level, p)
+    def above(level):
+        return np.clip(curved - level, 0, None).mean()
+
+    def below(level):
+        return np.clip(level - curved, 0, None).mean()
 
     mr1, mr2 = curve.mr1() / 100, curve.mr2() / 100
     top, bottom = np.interp([mr1, mr2], ratios, curved)
-    out.append(f"{case},pk,,{float(2 * area(0, mr1, top) / mr1)!r}")
-    out.append(f"{case},vk,,{float(-2 * area(mr2, 1, bottom) / (1 - mr2))!r}")
+    out.append(f"{case},pk,,{float(2 * above(top) / mr1)!r}")
+    out.append(f"{case},vk,,{float(2 * below(bottom) / (1 - mr2))!r}")
     z10, z80 = np.interp([0.1, 0.8], ratios, curved)
-    vmp, vvv = area(0, 0.1, z10), -area(0.8, 1, z80)
+    vmp, vvv = above(z10), below(z80)
     out.append(f"{case},vmp,,{float(vmp)!r}")
-    out.append(f"{case},vmc,,{float(area(0, 0.8, z80) - vmp)!r}")
-    out.append(f"{case},vvc,,{float(-area(0.1, 1, z10) - vvv)!r}")
+    out.append(f"{case},vmc,,{float(above(z80) - vmp)!r}")
+    out.append(f"{case},vvc,,{float(below(z10) - vvv)!r}")
     out.append(f"{case},vvv,,{float(vvv)!r}")
 row = heights(1.0)[0]
 profile = surfalize.Profile(row - row.mean(), STEP_X)

@@ -7,18 +7,17 @@ use asperity_topography::{Lay, Topography};
 use crate::error::{Place, SceneError};
 use crate::scene_file::SceneFile;
 
-/// The largest angle between the lay of a scan and its rows or columns.
-const OBLIQUE: f64 = 10.0;
-/// The ratio of correlation lengths below which a scan has no lay.
-const ISOTROPIC: f64 = 1.5;
+/// The largest angle \[degrees\] between the lay of a scan and its rows or columns that counts as
+/// none: the factors of one lay have a wider range than those of an oblique one.
+const ALIGNED: f64 = 2.0;
 
 impl SceneFile {
     /// The factors of flow between the surfaces of a model: the first moves, and a single one faces
     /// a smooth counterface or, for models of pairs, its like. A Peklenik number that is not given
-    /// is that of the scan, or 1.
+    /// is that of the scan, with the angle of its lay, or 1.
     ///
     /// # Errors
-    /// [`SceneError::Refused`] for a scan without one, and for one with an oblique lay.
+    /// [`SceneError::Refused`] for a scan without one.
     pub fn flow(&self, model: &Model) -> Result<PatirCheng, SceneError> {
         self.need_flat()?;
         let alike = model.asperities() == Asperities::Pairs && self.scene.pair.is_none();
@@ -29,23 +28,25 @@ impl SceneFile {
         let counterface = self.spec.counterface.as_ref();
         let resting = counterface.and_then(|second| second.peklenik_number);
         let moving = match (self.spec.surface.peklenik_number, self.scan()) {
-            (Some(given), _) => Ok(given),
+            (Some(given), _) => Ok((given, 0.0)),
             (None, Some(scan)) => peklenik_number(scan),
             (None, None) if self.measured.is_some() => {
                 Err(format!("it is measured of one scan only; set {PEKLENIK} in [surface]"))
             }
-            (None, None) => Ok(1.0),
+            (None, None) => Ok((1.0, 0.0)),
         };
         let moving = moving.map_err(|reason| {
             let at = Place::field(format!("surface.{PEKLENIK}")).into();
             SceneError::Refused { at, reason }
         })?;
         // Two scans are of like surfaces, and so are the surfaces of a model of pairs.
-        let of_like = if self.measured.is_some() || alike { moving } else { 1.0 };
+        let of_like = if self.measured.is_some() || alike { moving } else { (1.0, 0.0) };
+        let resting = resting.map_or(of_like, |given| (given, 0.0));
         let friction_cut_off =
             self.spec.options.friction_cut_off.unwrap_or(PatirCheng::default().friction_cut_off);
         Ok(PatirCheng {
-            peklenik_numbers: [moving, resting.unwrap_or(of_like)],
+            peklenik_numbers: [moving.0, resting.0],
+            lay_angles: [moving.1, resting.1],
             share_at_rest,
             friction_cut_off,
         })
@@ -62,19 +63,14 @@ impl SceneFile {
 
 const PEKLENIK: &str = "peklenik_number";
 
-/// That of a scan, with x along its rows.
-fn peklenik_number(scan: &Topography) -> Result<f64, String> {
-    let Some(Lay { along_row, along_column, extremes: [shortest, longest], degrees }) = scan.lay()
-    else {
+/// That of a scan, along the axis of its lay that is nearer to its rows, and the angle of this axis
+/// from the rows, which are x.
+fn peklenik_number(scan: &Topography) -> Result<(f64, f64), String> {
+    let Some(Lay { lengths: [along, across], degrees }) = scan.lay() else {
         let edge = "the correlation of the heights does not fall to a half within the scan";
         return Err(format!("{edge}; set {PEKLENIK} in [surface]"));
     };
-    match longest > ISOTROPIC * shortest && degrees.min(90.0 - degrees) > OBLIQUE {
-        true => Err(format!(
-            "the lay of the scan is {degrees:.0} degrees from its rows; turn the scan, or set {PEKLENIK} in [surface]"
-        )),
-        false => Ok(along_row / along_column),
-    }
+    Ok((along / across, if degrees.abs() > ALIGNED { degrees } else { 0.0 }))
 }
 
 #[cfg(test)]
@@ -137,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn a_scan_has_its_own_lay_unless_it_is_oblique() {
+    fn a_scan_has_its_own_lay() {
         let folder = tempfile::tempdir().unwrap();
         let write = |name: &str, turned: f64| {
             let (sin, cos) = f64::to_radians(turned).sin_cos();
@@ -164,11 +160,16 @@ mod tests {
             let keys = format!("file = \"{name}\"\nunit = \"m\"\npixel_size = 1e-6\n{more}");
             flow(&keys, folder.path())
         };
-        let number = scan("along.txt", "").unwrap().peklenik_numbers[0];
+        let straight = scan("along.txt", "").unwrap();
+        let number = straight.peklenik_numbers[0];
         assert!(number > 0.2 && number < 0.6, "{number}");
-        let refused = scan("oblique.txt", "").unwrap_err();
-        assert!(refused.starts_with("surface.peklenik_number"), "{refused}");
+        assert!(straight.lay_angles.iter().all(|angle| angle.abs() <= 0.0), "{straight:?}");
+        let oblique = scan("oblique.txt", "").unwrap();
+        let [angle, _] = oblique.lay_angles;
+        // Of few waves, another part of which is measured.
+        assert!((oblique.peklenik_numbers[0] / number - 1.0).abs() < 0.2, "{oblique:?} {number}");
+        assert!((angle - 35.0).abs() < 2.0, "{angle}");
         let given = scan("oblique.txt", "peklenik_number = 2").unwrap();
-        assert_eq!(given.peklenik_numbers[0].to_bits(), 2f64.to_bits());
+        assert_eq!((given.peklenik_numbers, given.lay_angles), ([2.0; 2], [0.0; 2]));
     }
 }

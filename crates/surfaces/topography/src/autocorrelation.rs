@@ -1,6 +1,7 @@
 //! The autocorrelation of the heights: Sal and Str of ISO 25178-2.
 
 use asperity_fft::Complex64;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::Topography;
 use crate::spectrum::{forward, inverse};
@@ -25,16 +26,13 @@ pub struct Decay {
     pub str: Option<f64>,
 }
 
-/// Correlation lengths of the heights \[m\].
+/// Correlation lengths of the heights along and across the lay.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lay {
-    /// Along a row.
-    pub along_row: f64,
-    /// Along a column.
-    pub along_column: f64,
-    /// The shortest and the longest of all directions.
-    pub extremes: [f64; 2],
-    /// The angle between the rows and the direction of the longest, 0 to 90 degrees.
+    /// \[m\] Along the principal axis that is nearer to the rows, and across it: their ratio is
+    /// the Peklenik number.
+    pub lengths: [f64; 2],
+    /// The angle of this axis \[degrees\], -45 to 45, from the rows (x) towards the columns (y).
     pub degrees: f64,
 }
 
@@ -52,7 +50,9 @@ impl Topography {
         Some(Decay { sal: shortest.0, str })
     }
 
-    /// The lengths over which the autocorrelation falls to a half, as Peklenik's ratio takes them.
+    /// The lengths over which the autocorrelation falls to a half, as Peklenik's ratio takes them:
+    /// the semi-axes of the ellipse that fits its contour best. \[derived\] Those of a scan that is
+    /// turned are the same, and the axis is turned with it.
     ///
     /// `None` for a profile, where it does not fall so far within the scan, and above 2²⁴ points.
     #[must_use]
@@ -61,15 +61,20 @@ impl Topography {
         if touches_edge || self.is_profile() {
             return None;
         }
-        let on_axis = |axis: usize| {
-            let on =
-                contour.iter().filter(|point| point[1 - axis].abs() <= 0.0 && point[axis] > 0.0);
-            on.map(|point| point[axis]).reduce(f64::min)
+        // a x² + 2 b x y + c y² = 1 by least squares.
+        let of = |[x, y]: &[f64; 2]| Vector3::new(x * x, 2.0 * x * y, y * y);
+        let square =
+            contour.iter().map(|point| of(point) * of(point).transpose()).sum::<Matrix3<_>>();
+        let form = square.cholesky()?.solve(&contour.iter().map(of).sum());
+        let [a, b, c] = form.into();
+        let turned = 0.5 * (2.0 * b).atan2(a - c).to_degrees();
+        let degrees = turned - 90.0 * (turned / 90.0).round();
+        let along = |degrees: f64| {
+            let (y, x) = degrees.to_radians().sin_cos();
+            of(&[x, y]).dot(&form).powf(-0.5)
         };
-        let (shortest, longest) = extremes(&contour)?;
-        let degrees = longest.1[1].abs().atan2(longest.1[0].abs()).to_degrees();
-        let (along_row, along_column) = (on_axis(0)?, on_axis(1)?);
-        Some(Lay { along_row, along_column, extremes: [shortest.0, longest.0], degrees })
+        let lengths = [along(degrees), along(degrees + 90.0)];
+        lengths.iter().all(|length| length.is_finite()).then_some(Lay { lengths, degrees })
     }
 
     /// The contour of a value of the autocorrelation about lag 0 \[m\], along rows and columns, and
@@ -215,8 +220,8 @@ mod tests {
     }
 
     #[test]
-    fn a_lay_has_its_correlation_lengths_and_its_angle() {
-        // Waves of lengths 40 and 100 as above: half of cos(2π x/40) + 1 is 1/2 at 10.
+    fn a_turned_lay_keeps_its_correlation_lengths() {
+        // Waves of lengths 40 and 100 as above, of which another part is measured.
         let wave = |turned: f64| {
             let (sin, cos) = turned.to_radians().sin_cos();
             let height = |k: usize| {
@@ -225,17 +230,21 @@ mod tests {
                 (TAU * u / 40.0).cos() + (TAU * v / 100.0).cos()
             };
             let heights = (0..400 * 400).map(height).collect();
-            Topography::new(heights, 400, [1e-6; 2]).unwrap()
+            Topography::new(heights, 400, [1e-6; 2]).unwrap().lay().unwrap()
         };
-        let Lay { along_row, along_column, extremes, degrees } =
-            wave(0.0).with_periodic(true).lay().unwrap();
-        for (found, wanted) in [(along_row, 10e-6), (along_column, 25e-6)] {
-            assert!((found / wanted - 1.0).abs() < 2e-3, "{found}");
+        let straight = wave(0.0).lengths;
+        assert!((straight[1] / straight[0] - 2.5).abs() < 0.1, "{straight:?}");
+        for turned in [15.0, 40.0, 60.0, 90.0] {
+            let Lay { lengths: [mut along, mut across], degrees } = wave(turned);
+            let off = degrees - turned + if turned > 45.0 { 90.0 } else { 0.0 };
+            if turned > 45.0 {
+                (along, across) = (across, along);
+            }
+            for (found, wanted) in [(along, straight[0]), (across, straight[1])] {
+                assert!((found / wanted - 1.0).abs() < 0.04, "{turned} {found} {wanted}");
+            }
+            assert!(off.abs() < 0.3, "{turned} {off}");
         }
-        assert!((extremes[1] / 25e-6 - 1.0).abs() < 2e-3 && (degrees - 90.0).abs() < 1e-9);
-        // The long waves run along v, 30 degrees from the columns.
-        let oblique = wave(30.0).lay().unwrap();
-        assert!((oblique.degrees - 60.0).abs() < 4.0, "{oblique:?}");
         let groove = |k: usize| (TAU * (k % 128) as f64 / 32.0).cos();
         let grooves = Topography::new((0..128 * 64).map(groove).collect(), 128, [1e-6; 2]);
         assert_eq!(grooves.unwrap().lay(), None);

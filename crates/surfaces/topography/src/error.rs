@@ -4,7 +4,7 @@ use std::fmt::Display;
 use std::io;
 use std::path::PathBuf;
 
-use asperity_core::ContactError;
+use asperity_core::{ContactError, written};
 use serde::de::value::{self, StrDeserializer};
 use serde::de::{DeserializeOwned, IntoDeserializer};
 
@@ -96,7 +96,7 @@ pub enum TopographyError {
         limit: f64,
     },
     /// An input lies outside its range.
-    #[error("{field} is {value:?}: {required} was required")]
+    #[error("{field} is {}: {required} was required", written(*.value))]
     OutOfRange {
         /// Name of the input.
         field: &'static str,

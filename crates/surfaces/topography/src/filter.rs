@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use asperity_core::short;
 use asperity_fft::{Complex64, Fft};
 
 use crate::error::out_of_range;
@@ -63,7 +64,9 @@ impl Topography {
                 true => Ok(Line::new(n, cutoff / step, self.is_periodic())),
                 false => {
                     let required = format!(
-                        "at least two pixels ({least:.3e} m) and at most the size of the surface ({largest:.3e} m), in m or with a unit (8um),"
+                        "at least two pixels ({} m) and at most the size of the surface ({} m), in m or with a unit (8um),",
+                        short(least),
+                        short(largest)
                     );
                     Err(out_of_range(field, cutoff, &required))
                 }

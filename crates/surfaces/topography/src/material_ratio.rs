@@ -11,7 +11,10 @@ const VOLUMES: [f64; 2] = [0.1, 0.8];
 /// The heights above which a share of the surface lies: the share is 0 at the highest point, 1 at
 /// the lowest.
 ///
-/// Between the points the curve is linear, as quantiles of NumPy are.
+/// Between the points the curve is linear, as quantiles of NumPy and the curve of surfalize are.
+/// Volumes are means over the points, of which n each stand for 1/n of the surface: the area under
+/// the line gives the highest and the lowest point half of that, and Spk and Svk of 32 x 32 points
+/// of a Gaussian surface are 1.8 % too low by it, here within 0.3 %. \[derived\]
 #[derive(Debug, Clone, PartialEq)]
 pub struct MaterialRatio {
     /// Heights about their mean \[m\], falling.
@@ -96,17 +99,13 @@ impl MaterialRatio {
         }
     }
 
-    /// The volume of material above the height of a share, and that of voids below it \[m\], from
-    /// the distances of points to this height.
-    fn volumes(&self, share: f64, height: f64) -> [f64; 2] {
-        let (k, t) = self.place(share);
-        let (above, below) = self.heights.split_at(k + 1);
-        let distance = |z: &f64| (z - height).abs();
-        let trapezium = |pair: &[f64]| 0.5 * (distance(&pair[0]) + distance(&pair[1]));
-        let triangle = |z: Option<&f64>, part: f64| z.map_or(0.0, |z| 0.5 * part * distance(z));
-        let material = above.windows(2).map(trapezium).sum::<f64>() + triangle(above.last(), t);
-        let voids = below.windows(2).map(trapezium).sum::<f64>() + triangle(below.first(), 1.0 - t);
-        [material, voids].map(|area| area / self.intervals())
+    /// The volume of material above a height and that of voids below it \[m\]: means over the
+    /// points, each of which stands for the same share of the surface.
+    fn volumes(&self, height: f64) -> [f64; 2] {
+        let mean = |part: fn(f64) -> f64| {
+            self.heights.iter().map(|z| part(z - height)).sum::<f64>() / self.heights.len() as f64
+        };
+        [mean(|above| above.max(0.0)), mean(|above| (-above).max(0.0))]
     }
 
     /// The share at which the window of 40 % begins in which the curve falls least, of several the
@@ -149,14 +148,14 @@ impl MaterialRatio {
     pub fn functional(&self) -> Functional {
         let (_, [top, bottom]) = self.core();
         let [smr1, smr2] = [top, bottom].map(|height| self.share(height));
-        // Triangles of the same areas above and below the core.
-        let triangle = |area: f64, base: f64| if base > 0.0 { 2.0 * area / base } else { 0.0 };
-        let [[vmp, above], [material, vvv]] =
-            VOLUMES.map(|share| self.volumes(share, self.height(share)));
+        // Triangles of the same areas above and below the core, on the share of a point or more.
+        let triangle =
+            |area: f64, base: f64| 2.0 * area / base.max(1.0 / self.heights.len() as f64);
+        let [[vmp, above], [material, vvv]] = VOLUMES.map(|share| self.volumes(self.height(share)));
         Functional {
             sk: top - bottom,
-            spk: triangle(self.volumes(smr1, top)[0], smr1),
-            svk: triangle(self.volumes(smr2, bottom)[1], 1.0 - smr2),
+            spk: triangle(self.volumes(top)[0], smr1),
+            svk: triangle(self.volumes(bottom)[1], 1.0 - smr2),
             smr1,
             smr2,
             vmp,
@@ -198,14 +197,11 @@ impl Topography {
         if self.is_profile() {
             let [rz, rsm] = self.profile_elements();
             let rdq = self.at_distance(1).slope_rows;
-            rows.push((
-                "rz",
-                rz,
-                "m",
-                "mean height from lowest to highest point, of five sections",
-            ));
-            rows.push(("rsm", rsm, "m", "mean width of a hill with a dale"));
-            rows.push(("rdq", rdq, "", "rms slope between neighbouring points"));
+            rows.extend([
+                ("rz", rz, "m", "mean height from lowest to highest point, of five sections"),
+                ("rsm", rsm, "m", "mean width of a hill with a dale"),
+                ("rdq", rdq, "", "rms slope between neighbouring points"),
+            ]);
         }
         Ok(rows.into_iter().map(reported).collect())
     }
@@ -232,9 +228,9 @@ mod tests {
         }
         close(smr1, 0.0);
         close(smr2, 1.0);
-        // Triangles of a unit square cut at .1 and .8.
-        let volumes = [(vmp, 0.005), (vmc, 0.315), (vvc, 0.385), (vvv, 0.02)];
-        volumes.into_iter().for_each(|(found, right)| close(found / 1e-6, right));
+        // Triangles of a unit square cut at .1 and .8: sums of 1 to 100, 200, 800 and 900.
+        let volumes = [(vmp, 5_050.0), (vmc, 315_350.0), (vvc, 385_350.0), (vvv, 20_100.0)];
+        volumes.into_iter().for_each(|(found, right)| close(found / 1e-6, right / 1_001e3));
         close(found.share(found.height(0.37)), 0.37);
     }
 
@@ -248,6 +244,21 @@ mod tests {
         let found = curve((0..1000).map(height).collect()).functional();
         assert!((found.sk / 1.1e-7 - 1.0).abs() < 0.02, "{found:?}");
         assert!(found.svk > 30.0 * found.spk && (found.smr2 - 0.9).abs() < 0.02, "{found:?}");
+    }
+
+    #[test]
+    fn few_points_have_the_areas_of_many() {
+        // Quantiles of the logistic distribution.
+        let of = |n: u32| {
+            let share = |k: u32| (f64::from(k) + 0.5) / f64::from(n);
+            let found = curve((0..n).map(|k| (share(k) / (1.0 - share(k))).ln()).collect());
+            let Functional { sk, spk, svk, vmp, vvv, .. } = found.functional();
+            [sk, spk, svk, vmp, vvv]
+        };
+        let (few, many) = (of(1024), of(1 << 18));
+        for (few, many) in few.into_iter().zip(many) {
+            assert!((few / many - 1.0).abs() < 3e-3, "{few} {many}");
+        }
     }
 
     #[test]

@@ -10,14 +10,6 @@ const LEAST_HEIGHT: f64 = 0.1;
 /// The least width of a hill or dale, over the length of a section.
 const LEAST_WIDTH: f64 = 0.01;
 
-/// A part of the profile on one side of the mean line.
-#[derive(Debug, Clone, Copy)]
-struct Part {
-    /// Where it begins, in points.
-    start: f64,
-    is_hill: bool,
-}
-
 impl Topography {
     /// Rz \[m\], the mean over five sections of the height from the lowest to the highest point,
     /// and RSm \[m\], the mean width of the elements, each a hill and a dale \[recalled: from
@@ -40,7 +32,7 @@ impl Topography {
         };
         let rz = (0..SECTIONS).map(height).sum::<f64>() / SECTIONS as f64;
         let starts: Vec<f64> =
-            parts(&z, rz).into_iter().filter(|part| part.is_hill).map(|part| part.start).collect();
+            parts(&z, rz).into_iter().filter(|(_, is_hill)| *is_hill).map(|(at, _)| at).collect();
         let rsm = match starts[..] {
             [first, .., last] => {
                 Some((last - first) / (starts.len() - 1) as f64 * self.pixel_size()[0])
@@ -51,22 +43,22 @@ impl Topography {
     }
 }
 
-/// Hills and dales in turn, small ones with those before; the first may have begun earlier and is
-/// left out.
-fn parts(z: &[f64], rz: f64) -> Vec<Part> {
+/// Hills and dales in turn, small ones with those before, by where they begin, in points, and
+/// whether they are hills; the first may have begun earlier and is left out.
+fn parts(z: &[f64], rz: f64) -> Vec<(f64, bool)> {
     let width = LEAST_WIDTH * (z.len() / SECTIONS) as f64;
     let crossings = (1..z.len()).filter(|k| (z[k - 1] > 0.0) != (z[*k] > 0.0));
     let crossings: Vec<usize> = crossings.collect();
     let ends = crossings.iter().skip(1).copied().chain([z.len()]);
-    let mut parts: Vec<Part> = vec![];
+    let mut parts: Vec<(f64, bool)> = vec![];
     for (start, end) in crossings.iter().copied().zip(ends) {
         let extreme = z[start..end].iter().fold(0.0, |most: f64, z| most.max(z.abs()));
         let is_hill = z[start] > 0.0;
-        let is_same = parts.last().is_some_and(|last| last.is_hill == is_hill);
+        let is_same = parts.last().is_some_and(|(_, before)| *before == is_hill);
         let at = |k: usize| k as f64 - z[k] / (z[k] - z[k - 1]);
         let is_large = extreme >= LEAST_HEIGHT * rz && (end - start) as f64 >= width;
         if is_large && !is_same {
-            parts.push(Part { start: at(start), is_hill });
+            parts.push((at(start), is_hill));
         }
     }
     parts

@@ -17,18 +17,11 @@ impl Topography {
         let (rows, columns) = (self.rows(), self.columns());
         let count = |n: usize, side: usize| match n.checked_sub((side - 1) * step) {
             None | Some(0) => 0,
-            Some(inside) => {
-                if self.is_periodic() {
-                    n
-                } else {
-                    inside
-                }
-            }
+            Some(_) if self.is_periodic() => n,
+            Some(inside) => inside,
         };
-        let ([down, along], around) = (
-            [count(rows, R), count(columns, C)],
-            |at: usize, n: usize| if at < n { at } else { at - n },
-        );
+        let [down, along] = [count(rows, R), count(columns, C)];
+        let around = |at: usize, n: usize| if at < n { at } else { at - n };
         (0..down).map(move |y| {
             let lines: [&[f64]; R] =
                 from_fn(|r| &self.heights()[around(y + r * step, rows) * columns..][..columns]);

@@ -225,7 +225,7 @@ mod tests {
         assert!(message(vec![], 1, one).starts_with("heights: 0 in"));
         assert!(message(vec![0.0; 5], 2, one).starts_with("heights: 5 in rows of 2"));
         assert!(message(vec![0.0; 4], 0, one).starts_with("heights: 4 in"));
-        assert!(message(vec![0.0; 4], 2, [1.0, 0.0]).starts_with("pixel_size is 0.0"));
+        assert!(message(vec![0.0; 4], 2, [1.0, 0.0]).starts_with("pixel_size is 0:"));
         assert!(message(vec![0.0; 4], 2, [f64::NAN, 1.0]).starts_with("pixel_size is NaN"));
         assert!(message(vec![0.0, f64::NEG_INFINITY], 2, one).contains("row 0, column 1"));
         assert!(message(vec![f64::NAN; 4], 2, one).starts_with("points with a height: 0"));

@@ -21,6 +21,8 @@ const ERROR: f64 = 1e-12;
 pub struct PatirCheng {
     /// γ of each surface: the correlation length along x over that along y, 1/9 to 9.
     pub peklenik_numbers: [f64; 2],
+    /// The angles \[degrees\] from x towards y of the axes along which these numbers are measured.
+    pub lay_angles: [f64; 2],
     /// (σ₂/σ)²: the share of the second surface, which rests, in the mean square of all heights;
     /// 0 for one rough surface, which moves.
     pub share_at_rest: f64,
@@ -30,7 +32,12 @@ pub struct PatirCheng {
 
 impl Default for PatirCheng {
     fn default() -> Self {
-        Self { peklenik_numbers: [1.0; 2], share_at_rest: 0.0, friction_cut_off: 0.01 }
+        Self {
+            peklenik_numbers: [1.0; 2],
+            lay_angles: [0.0; 2],
+            share_at_rest: 0.0,
+            friction_cut_off: 0.01,
+        }
     }
 }
 
@@ -55,7 +62,8 @@ pub const SOURCE: Citation = Citation {
 impl PatirCheng {
     /// A factor at H, the film over σ: a mean of both surfaces weighted by their shares in the mean
     /// square of all heights, which is exact for thick films; of the factors of shear the weighted
-    /// difference, with the error of its terms.
+    /// difference, with the error of its terms. Of an oblique lay it is the component along x, or
+    /// y, of the tensor with the factors along and across the lay. \[derived\]
     ///
     /// # Errors
     /// [`ContactError::OutOfRange`] for a film or a Peklenik number outside the range of the fit,
@@ -74,11 +82,18 @@ impl PatirCheng {
             }
             _ => return Err(ContactError::NotRequested { quantity }),
         };
-        let resting = self.share_at_rest;
-        let shares = [(1.0 - resting, 1.0), (resting, sign)].into_iter().zip(self.peklenik_numbers);
-        let rough = shares.filter(|((share, _), _)| *share > 0.0);
-        let terms = rough.map(|((share, sign), gamma)| Ok(sign * share * of(film, gamma)?));
-        let terms = terms.collect::<Result<Vec<f64>, ContactError>>()?;
+        let mut terms = vec![];
+        for (k, (share, sign)) in
+            [(1.0 - self.share_at_rest, 1.0), (self.share_at_rest, sign)].into_iter().enumerate()
+        {
+            let (gamma, turned) = (self.peklenik_numbers[k], self.lay_angles[k].to_radians());
+            for (part, gamma) in [(turned.cos(), gamma), (turned.sin(), 1.0 / gamma)] {
+                let weight = share * part * part;
+                if weight > 0.0 {
+                    terms.push(sign * weight * of(film, gamma)?);
+                }
+            }
+        }
         let mut found = Evaluation::new(terms.iter().sum(), ERROR);
         found.size = terms.iter().map(|term| term.abs()).sum();
         Ok(found)
@@ -136,11 +151,24 @@ mod tests {
         let halves = PatirCheng { share_at_rest: 0.5, ..PatirCheng::default() };
         close(halves.factor(ShearFlowFactor, 2.0).unwrap().size, of([1.0; 2], 0.0)[2]);
         close(of([3.0, 3.0], 1.0)[2], -moving[2]);
+        // A lay at an angle: between the factors along and across it, whichever number is said.
+        let oblique = |gamma: f64, angle| {
+            let (peklenik_numbers, lay_angles) = ([gamma; 2], [angle; 2]);
+            values(PatirCheng { peklenik_numbers, lay_angles, ..PatirCheng::default() }, &all, 2.0)
+        };
+        for angle in [-30.0_f64, 15.0, 45.0] {
+            let share = angle.to_radians().sin().powi(2);
+            let (found, same) = (oblique(3.0, angle), oblique(1.0 / 3.0, angle + 90.0));
+            for k in 0..4 {
+                close(found[k], (1.0 - share) * moving[k] + share * turned[k]);
+                close(same[k], found[k]);
+            }
+        }
     }
 
     #[test]
     fn options_are_read_by_their_names() {
-        let text = r#"{"peklenik_numbers":[3.0,1.0],"share_at_rest":0.5,"friction_cut_off":0.001}"#;
+        let text = r#"{"peklenik_numbers":[3.0,1.0],"lay_angles":[0.0,0.0],"share_at_rest":0.5,"friction_cut_off":0.001}"#;
         let model: PatirCheng = serde_json::from_str(text).unwrap();
         assert_eq!(serde_json::to_string(&model).unwrap(), text);
     }

@@ -94,12 +94,17 @@ impl Export<'_> {
             ("sigma_z", sigma_z),
             ("offset", scene.mean_plane_offset()),
             ("modulus", scene.interface.equivalent_modulus),
-            ("moving", flow.peklenik_numbers[0]),
-            ("resting", flow.peklenik_numbers[1]),
             ("share", flow.share_at_rest),
         ];
         let numbers = numbers.map(|(name, value)| (name, rounded(value)));
-        let blanks = numbers.each_ref().map(|(name, value)| (*name, &**value));
+        let lay = |k: usize| match (rounded(flow.peklenik_numbers[k]), flow.lay_angles[k]) {
+            (number, 0.0) => number,
+            (number, angle) => format!("{number} (lay axes at {} degrees)", rounded(angle)),
+        };
+        let numbers = numbers.into_iter().chain([("moving", lay(0)), ("resting", lay(1))]);
+        let numbers: Vec<(&str, String)> = numbers.collect();
+        let blanks: Vec<(&str, &str)> =
+            numbers.iter().map(|(name, value)| (*name, &**value)).collect();
         let form = filled(&filled(include_str!("forms/film.txt"), &words), &blanks);
         filled(&form, &[("title", &self.title()), ("converted", &self.origin("#", &[]))])
     }

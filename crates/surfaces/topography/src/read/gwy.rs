@@ -128,8 +128,7 @@ impl<'a> Field<'a> {
     }
 
     fn numbers(&self, n: usize) -> Result<Vec<f64>, TopographyError> {
-        let mut numbers = Vec::with_capacity(n);
-        Sample::new(*b"f8").decode(self.data, &mut numbers);
+        let numbers = Sample::new(*b"f8").decode(self.data);
         if numbers.len() != n {
             let [columns, rows] = self.resolution;
             let required = format!("{n}, for {columns} x {rows} points");

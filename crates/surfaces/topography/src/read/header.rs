@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use asperity_core::{Code, Finding};
+use asperity_core::{Code, Finding, written};
 use serde::Serialize;
 
 use super::lines::{COMMENT, Delimiter};
@@ -186,7 +186,8 @@ impl Header {
     pub(super) fn factor(&self, unit: bool) -> Result<Option<(f64, Finding)>, TopographyError> {
         let note = |factor: f64, Entry { line, text, .. }: &Entry| {
             let fact = format!(
-                "the heights are multiplied by {factor:?}, by line {line}: {:?}",
+                "the heights are multiplied by {}, by line {line}: {:?}",
+                written(factor),
                 excerpt(text)
             );
             (factor, Finding::note(Code::Factor, "factor", factor).fact(fact))

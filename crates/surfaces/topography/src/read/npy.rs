@@ -28,8 +28,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
         let required = format!("{needed}, by the shape and the type");
         return Err(refuse("npy data", format!("{} bytes", data.len()), required));
     }
-    let mut heights = Vec::with_capacity(n);
-    sample.decode(data, &mut heights);
+    let mut heights = sample.decode(data);
     let (rows, columns) = (rows as usize, columns as usize);
     if fortran_order && rows > 1 {
         // The file stores the heights column by column.

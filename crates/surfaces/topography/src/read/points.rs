@@ -1,5 +1,7 @@
 //! Points in any order on a regular grid.
 
+use asperity_core::written;
+
 use super::scan;
 use crate::TopographyError;
 use crate::error::refuse;
@@ -26,7 +28,7 @@ pub(super) fn grid(values: Vec<f64>) -> Result<(Vec<f64>, usize, [f64; 2]), Topo
     for point in values.chunks_exact(3) {
         let index = across.index(point[0])? + columns * along.index(point[1])?;
         if taken[index] {
-            let found = format!("a second point at {:?}, {:?}", point[0], point[1]);
+            let found = format!("a second point at {}, {}", written(point[0]), written(point[1]));
             return Err(refuse("x and y", found, "one point per grid point"));
         }
         taken[index] = true;
@@ -85,7 +87,12 @@ impl Axis {
         if (at - nearest).abs() <= SLACK && nearest >= 0.0 && nearest < self.n as f64 {
             return Ok(nearest as usize);
         }
-        let found = format!("a point at {place:?}, {at:?} steps of {:e} from the first", self.step);
+        let found = format!(
+            "a point at {}, {} steps of {} from the first",
+            written(place),
+            written(at),
+            written(self.step)
+        );
         Err(refuse(self.field, found, "points of a regular grid"))
     }
 }

@@ -1,6 +1,6 @@
 //! Profiles of positions and heights.
 
-use asperity_core::{Code, Finding};
+use asperity_core::{Code, Finding, written};
 
 use super::points::{SLACK, deviation};
 use super::scan::Scan;
@@ -53,8 +53,12 @@ pub(super) fn profile(
     let step = (last - first) / (places.len().max(2) - 1) as f64;
     if !(step > 0.0 && step.is_finite()) {
         return Err(wrong(match places.len() {
-            1 => format!("a single position, {first:?}"),
-            many => format!("a profile of {many} positions from {first:?} to {last:?}"),
+            1 => format!("a single position, {}", written(first)),
+            many => format!(
+                "a profile of {many} positions from {} to {}",
+                written(first),
+                written(last)
+            ),
         }));
     }
     let found = |heights: Vec<f64>, notes| {
@@ -67,7 +71,12 @@ pub(super) fn profile(
     let pairs = || places.windows(2).map(|pair| pair[1] - pair[0]).enumerate();
     if let Some((i, _)) = pairs().find(|(_, distance)| distance.is_nan() || *distance <= 0.0) {
         let (place, before) = (places[i + 1], places[i]);
-        return Err(wrong(format!("{place:?} as position {} after {before:?}", i + 2)));
+        return Err(wrong(format!(
+            "{} as position {} after {}",
+            written(place),
+            i + 2,
+            written(before)
+        )));
     }
     if places.len() >= MANY && last_digit(&places, COARSE * step) >= farthest * step {
         return Ok(found(heights, vec![]));
@@ -166,11 +175,11 @@ mod tests {
 
     #[test]
     fn positions_without_order_are_refused() {
-        assert!(message(&[0.0, 2.0, 1.0, 3.0]).contains("1.0 as position 3 after 2.0"));
-        assert!(message(&[0.0, 0.0, 3.0]).contains("0.0 as position 2 after 0.0"));
-        assert!(message(&[1.0]).starts_with("x: a single position, 1.0;"));
+        assert!(message(&[0.0, 2.0, 1.0, 3.0]).contains("1 as position 3 after 2"));
+        assert!(message(&[0.0, 0.0, 3.0]).contains("0 as position 2 after 0"));
+        assert!(message(&[1.0]).starts_with("x: a single position, 1;"));
         assert!(message(&[]).contains("no position"));
         assert!(message(&[0.0, f64::NAN, 2.0]).contains("NaN as position 2"));
-        assert!(message(&[0.0, f64::NAN]).contains("2 positions from 0.0"));
+        assert!(message(&[0.0, f64::NAN]).contains("2 positions from 0 to"));
     }
 }

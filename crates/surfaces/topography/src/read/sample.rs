@@ -31,13 +31,13 @@ impl Sample {
         }
     }
 
-    /// Appends the numbers in `bytes`, without an incomplete last one.
-    pub(super) fn decode(self, bytes: &[u8], into: &mut Vec<f64>) {
-        into.extend(bytes.chunks_exact(self.size).map(|bytes| self.number(bytes)));
+    /// The numbers in `bytes`, without an incomplete last one.
+    pub(super) fn decode(self, bytes: &[u8]) -> Vec<f64> {
+        bytes.chunks_exact(self.size).map(|bytes| self.number(bytes)).collect()
     }
 
     /// The number in as many bytes as it has.
-    fn number(self, bytes: &[u8]) -> f64 {
+    pub(super) fn number(self, bytes: &[u8]) -> f64 {
         let push = |bits: u64, byte: &u8| bits << 8 | u64::from(*byte);
         let bits = match self.big_endian {
             true => bytes.iter().fold(0, push),
@@ -99,11 +99,7 @@ mod tests {
 
     #[test]
     fn both_byte_orders_are_decoded() {
-        let of = |name, bytes: &[u8]| {
-            let mut numbers = Vec::new();
-            Sample::numpy(name).unwrap().decode(bytes, &mut numbers);
-            numbers
-        };
+        let of = |name, bytes: &[u8]| Sample::numpy(name).unwrap().decode(bytes);
         assert_eq!(of(">i2", &[1, 2, 255, 254, 7]), [258.0, -2.0]);
         assert_eq!(of("<i2", &[1, 2]), [513.0]);
         assert_eq!(of(">f4", &1.5f32.to_be_bytes()), [1.5]);

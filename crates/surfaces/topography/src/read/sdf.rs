@@ -158,8 +158,7 @@ fn binary(bytes: &[u8]) -> Result<(Vec<f64>, Header), TopographyError> {
     let header = Header::new(fields)?;
     let (n, needed) = (rest.0.len(), header.count * header.sample.size);
     let data = rest.take(needed).ok_or_else(|| header.wrong(format!("{n} bytes"), needed))?;
-    let mut heights = Vec::with_capacity(header.count);
-    header.sample.decode(data, &mut heights);
+    let mut heights = header.sample.decode(data);
     mark(&mut heights, header.sample, is_bcr(bytes));
     Ok((heights, header))
 }

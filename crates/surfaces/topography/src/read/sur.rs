@@ -128,8 +128,7 @@ impl<'a> Object<'a> {
             true => Cow::from(unpack(self.data, points * sample.size)?),
             false => Cow::from(self.data),
         };
-        let mut heights = Vec::with_capacity(*points);
-        sample.decode(&data, &mut heights);
+        let mut heights = sample.decode(&data);
         drop(data);
         // Missing points are stored two steps below the lowest height.
         let missing = (header.u16(86) == 1).then(|| f64::from(header.i32(100)) - 2.0);

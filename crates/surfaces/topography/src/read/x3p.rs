@@ -48,7 +48,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
             unpack(&mut archive, &(folder.clone() + &points), [n, size], |mut record| {
                 for stored in &description.stored {
                     let (number, rest) = record.split_at(stored.sample.size);
-                    stored.sample.decode(number, &mut numbers);
+                    numbers.push(stored.sample.number(number));
                     record = rest;
                 }
             })?;

@@ -133,7 +133,7 @@ fn options_are_refused_before_a_file_is_read() {
     for (options, wanted) in [
         (of(-0.1, 1.0), "max_missing is -0.1"),
         (of(f64::NAN, 1.0), "max_missing is NaN"),
-        (of(0.1, 0.0), "pixel_size is 0.0"),
+        (of(0.1, 0.0), "pixel_size is 0:"),
         (of(0.1, f64::NAN), "pixel_size is NaN"),
         (of(0.1, f64::INFINITY), "pixel_size is inf"),
     ] {

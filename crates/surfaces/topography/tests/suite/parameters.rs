@@ -80,13 +80,13 @@ fn parameters_are_those_of_surfalize() {
                 "vmc" => (of_curve.vmc, 1e-6, 1e-11),
                 "vvc" => (of_curve.vvc, 1e-6, 1e-11),
                 "vvv" => (of_curve.vvv, 1e-6, 1e-11),
-                // Areas that end at the nearest class: one of 20,480.
-                "Spk" => (of_curve.spk, 1e-6, 2e-3),
-                "Svk" => (of_curve.svk, 1e-6, 2e-3),
-                "Svmp" => (of_curve.vmp, 1e-6, 2e-3),
-                "Svmc" => (of_curve.vmc, 1e-6, 2e-3),
-                "Svvc" => (of_curve.vvc, 1e-6, 2e-3),
-                "Svvv" => (of_curve.vvv, 1e-6, 2e-3),
+                // Areas under a line, up to the nearest class: one of 20,480.
+                "Spk" => (of_curve.spk, 1e-6, 4e-3),
+                "Svk" => (of_curve.svk, 1e-6, 4e-3),
+                "Svmp" => (of_curve.vmp, 1e-6, 4e-3),
+                "Svmc" => (of_curve.vmc, 1e-6, 4e-3),
+                "Svvc" => (of_curve.vvc, 1e-6, 4e-3),
+                "Svvv" => (of_curve.vvv, 1e-6, 4e-3),
                 other => panic!("{other}"),
             };
             let right = value * unit;
