@@ -3,7 +3,28 @@
 use asperity::{Code, Finding};
 
 use crate::keys::{BODIES, COUNTERFACE, Field, INTERFACE, OF_PAIR, SECOND, joined};
-use crate::spec::{Bodies, SceneSpec};
+use crate::spec::{Bodies, SceneSpec, SurfaceSpec};
+
+/// The numbers of the contact as a whole.
+pub(crate) const SCENE: &[Field<SceneSpec>] = &[Field {
+    name: "nominal_area",
+    get: |of| Some(of.nominal_area),
+    set: |of, value| of.nominal_area = value,
+}];
+
+/// The numbers of one rough surface beside those that describe it.
+pub(crate) const OWN: &[Field<SurfaceSpec>] = &[
+    Field {
+        name: "mean_plane_offset",
+        get: |of| of.mean_plane_offset,
+        set: |of, value| of.mean_plane_offset = Some(value),
+    },
+    Field {
+        name: "peklenik_number",
+        get: |of| of.peklenik_number,
+        set: |of, value| of.peklenik_number = Some(value),
+    },
+];
 
 /// A number of a scene that can be read and replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

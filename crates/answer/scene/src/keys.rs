@@ -7,7 +7,6 @@ use asperity::{Body, Interface, Surface, Units, units};
 use crate::curvature::Curvature;
 use crate::gap::Gas;
 use crate::seal::Seal;
-use crate::spec::{SceneSpec, SurfaceSpec};
 
 /// A key of a scene file.
 #[derive(Debug, Clone, Copy)]
@@ -103,9 +102,8 @@ macro_rules! keys {
 }
 
 keys! {
-    "" Scene numbers SCENE in SceneSpec {
+    "" Scene {
         nominal_area("m^2" ", the apparent area of contact" form "Nominal area" "1 cm2")
-    } {
         rigid_counterface("" "with one [[body]] only: the counterface is rigid")
         work_of_adhesion("J/m^2" ", of the two bodies together; only dmt and jkr need it")
         accept("" "codes of warnings and notes to silence, as messages show them")
@@ -207,13 +205,12 @@ keys! {
         max_missing("" "the largest share of missing points" form "Missing points, at most" "0.1")
         aligned("" "true: heights of two scans add, point by point; \"mirrored\": rows of the second reversed")
     }
-    "surface" Surface numbers OWN in SurfaceSpec {
-        mean_plane_offset("m" ", of the mean of the asperity heights above that of the surface, if known")
-        peklenik_number("" "lay: correlation length along x, of sliding, over that across; for factors of flow")
-    } {
+    "surface" Surface {
         counterface("" "or { file = \"b.sur\", filter = 8e-4 }")
         heights("" "" form "Heights" "gaussian")
+        peklenik_number("" "lay: correlation length along x, of sliding, over that across; for factors of flow")
         separation_from("" "or \"surface-mean\"")
+        mean_plane_offset("m" ", of the mean of the asperity heights above that of the surface, if known")
     }
     "curvature" Curvature numbers CURVATURE in Curvature {
         radius("m" ", of a ball on a flat; of two balls 1/R = 1/R1 + 1/R2" form "Radius" "10 mm")

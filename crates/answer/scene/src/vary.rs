@@ -6,9 +6,9 @@ use asperity::{
 
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
-use crate::input::{Of, SceneInput};
+use crate::input::{OWN, Of, SCENE, SceneInput};
 use crate::keys::{
-    BODY, CURVATURE, Field, GAP, INTERFACE, MECHANICAL, OF_PAIR, OWN, SCENE, SEAL, key_of_input,
+    BODY, CURVATURE, Field, GAP, INTERFACE, MECHANICAL, OF_PAIR, SEAL, key_of_input,
 };
 use crate::roughness::{Roughness, Way};
 use crate::scene_file::SceneFile;

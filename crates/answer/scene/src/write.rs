@@ -9,7 +9,8 @@ use toml::{Table, Value};
 
 use crate::document::{Document, Files};
 use crate::error::{Place, SceneError};
-use crate::keys::{BODY, Field, Key, OWN, joined, keys_of};
+use crate::input::OWN;
+use crate::keys::{BODY, Field, Key, joined, keys_of};
 use crate::materials::Material;
 use crate::measured::Scan;
 use crate::read::scene_file;
