@@ -112,7 +112,7 @@ impl<'t> Cells<'t> {
             };
             let found = format!("\"{}\"", shorten(given).replace(char::is_control, " "));
             let at = self.place(*line, self.head[k]);
-            Err(SceneError::Notation { at, found, hint: hint.into() })
+            Err(SceneError::notation(at, &found, hint))
         };
         self.rows.iter().map(number).collect()
     }

@@ -27,7 +27,7 @@ pub struct Curvature {
     pub reference_length: Option<f64>,
 }
 
-pub(crate) const WAYS: &str = "one of: radius; radius_x and radius_y; radius_x and length, of a line contact; body1_radius_x and so on, of each body";
+const WAYS: &str = "one of: radius; radius_x and radius_y; radius_x and length, of a line contact; body1_radius_x and so on, of each body";
 
 impl Curvature {
     /// The relative radius along an axis from those of both bodies; `None` without any.
@@ -77,7 +77,7 @@ impl Curvature {
                 return Err(ContactError::OutOfRange { field, value, required });
             }
         }
-        let missing = || ContactError::Missing { field: "radius", reason: WAYS.into() };
+        let missing = || ContactError::Missing { field: "", reason: WAYS.into() };
         match (x, y, self.length) {
             (Some(radius_x), Some(radius_y), None) if self.reference_length.is_none() => {
                 Ok(Shape::Point { radius_x, radius_y })

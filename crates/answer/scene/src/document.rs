@@ -103,7 +103,7 @@ impl<'a> Document<'a> {
                         let (at, found) = (self.place(path), format!("{:?}", shorten(text)));
                         let range = range_hint(text).filter(|_| may_have_range(path));
                         let hint = range.unwrap_or(hint);
-                        SceneError::Notation { at, found, hint }
+                        SceneError::notation(at, &found, &hint)
                     })?;
                     self.origin.stated.push(path.into());
                     Value::Float(number)
@@ -131,7 +131,7 @@ impl<'a> Document<'a> {
     /// The middle of the range of a number that is written as two values; keeps the ends.
     ///
     /// # Errors
-    /// [`SceneError::Notation`] where one end has a unit and the other, which is not 0, has none.
+    /// [`SceneError::Wrong`] where one end has a unit and the other, which is not 0, has none.
     fn range(&mut self, path: &str, items: &[Value]) -> Result<Option<Value>, SceneError> {
         let number = |item: &Value| item.as_float().or_else(|| item.clone().try_into().ok());
         let numbers = items.iter().map(number).collect::<Option<Vec<f64>>>();
@@ -144,8 +144,8 @@ impl<'a> Document<'a> {
         if stated[0] != stated[1] && [*one, *other][bare] != 0.0 {
             let (at, found) =
                 (self.place(&format!("{path}[{}]", bare + 1)), items[bare].to_string());
-            let hint = "has no unit, and the other end has one: give both ends a unit".into();
-            return Err(SceneError::Notation { at, found, hint });
+            let hint = "has no unit, and the other end has one: give both ends a unit";
+            return Err(SceneError::notation(at, &found, hint));
         }
         // One that is no number stays, to be refused.
         let ends = if one <= other { [*one, *other] } else { [*other, *one] };
@@ -295,8 +295,8 @@ impl<'a> Document<'a> {
         move |source| SceneError::from_contact(source, |field| self.place(&joined(section, field)))
     }
 
-    pub(crate) fn missing(&self, path: &str, needed: impl Into<String>) -> SceneError {
-        SceneError::Missing { at: self.place(path), needed: needed.into() }
+    pub(crate) fn missing(&self, path: &str, needed: impl AsRef<str>) -> SceneError {
+        SceneError::missing(self.place(path), needed.as_ref())
     }
 
     pub(crate) fn conflict(&self, one: &str, other: &str, needed: &str) -> SceneError {

@@ -55,45 +55,16 @@ pub enum SceneError {
         /// The reason from the system, the parser or the library.
         reason: String,
     },
-    /// A key that its section does not have.
-    #[error("{at} is {}", self.reason())]
-    UnknownKey {
-        /// The key.
+    /// A key that its section does not have or needs, or a value of the wrong kind, out of its
+    /// range, not one of the allowed names, or in another notation.
+    #[error("{at}{link}{reason}")]
+    Wrong {
+        /// The field; a missing one at the line of its section.
         at: Box<Place>,
-        /// The most similar key of the section, if there is one.
-        near: Option<String>,
-        /// The keys allowed there.
-        allowed: String,
-    },
-    /// A value of the wrong kind, out of its range, or not one of the allowed names.
-    #[error("{at} is {}", self.reason())]
-    Value {
-        /// The field.
-        at: Box<Place>,
-        /// The value found.
-        found: String,
-        /// The most similar name allowed, if there is one.
-        near: Option<String>,
-        /// The value needed.
-        needed: String,
-    },
-    /// A number that is written in another notation, with a decimal comma for example.
-    #[error("{at} = {}", self.reason())]
-    Notation {
-        /// The field.
-        at: Box<Place>,
-        /// The text found.
-        found: String,
-        /// How to write the number.
-        hint: String,
-    },
-    /// A missing field.
-    #[error("{at} is {}", self.reason())]
-    Missing {
-        /// The field, at the line of its section.
-        at: Box<Place>,
-        /// The reason why it is needed, or its meaning.
-        needed: String,
+        /// Between the field and the reason: " is ", or " = " of a text that is no number.
+        link: &'static str,
+        /// The value found, a similar name, and the value needed.
+        reason: String,
     },
     /// Two fields that exclude each other.
     #[error("{at} and {} exclude each other: {needed} was required", place_without_file(.other))]
@@ -128,10 +99,7 @@ impl SceneError {
     pub fn place(&self) -> Option<&Place> {
         match self {
             Self::Refused { at, .. } => Some(at),
-            Self::UnknownKey { at, .. } | Self::Value { at, .. } | Self::Notation { at, .. } => {
-                Some(at)
-            }
-            Self::Missing { at, .. } | Self::Conflict { at, .. } => Some(at),
+            Self::Wrong { at, .. } | Self::Conflict { at, .. } => Some(at),
             Self::Input { .. } | Self::Fit(_) => None,
         }
     }
@@ -140,18 +108,12 @@ impl SceneError {
     #[must_use]
     pub fn reason(&self) -> String {
         match self {
-            Self::UnknownKey { near, allowed, .. } => {
-                format!("not known{}: {allowed}", nearest_hint(near.as_ref()))
-            }
-            Self::Value { found, near, needed, .. } => {
-                format!("{found}{}: {needed} was required", nearest_hint(near.as_ref()))
-            }
-            Self::Notation { found, hint, .. } => format!("{found} {hint}"),
-            Self::Missing { needed, .. } => format!("missing: {needed}"),
             Self::Conflict { other, needed, .. } => {
                 format!("not possible beside {}: {needed} was required", other.field)
             }
-            Self::Refused { reason, .. } | Self::Input { reason, .. } => reason.clone(),
+            Self::Refused { reason, .. }
+            | Self::Wrong { reason, .. }
+            | Self::Input { reason, .. } => reason.clone(),
             Self::Fit(error) => error.to_string(),
         }
     }
@@ -160,8 +122,27 @@ impl SceneError {
     pub(crate) fn value(at: Box<Place>, found: impl fmt::Debug, needed: &str) -> Self {
         let found = format!("{found:?}");
         let found = found.parse().map_or(found, asperity::written);
-        let needed = needed.into();
-        Self::Value { at, found, near: None, needed }
+        Self::of_names(at, &found, None, needed)
+    }
+
+    /// The same with the most similar name, if the value is none of some names.
+    pub(crate) fn of_names(at: Box<Place>, found: &str, near: Option<&str>, needed: &str) -> Self {
+        Self::wrong(at, format!("{found}{}: {needed} was required", nearest_hint(near)))
+    }
+
+    /// A field that is wrong: the reason follows "is".
+    pub(crate) fn wrong(at: Box<Place>, reason: String) -> Self {
+        Self::Wrong { at, link: " is ", reason }
+    }
+
+    /// A missing field.
+    pub(crate) fn missing(at: Box<Place>, needed: &str) -> Self {
+        Self::wrong(at, format!("missing: {needed}"))
+    }
+
+    /// A number in another notation.
+    pub(crate) fn notation(at: Box<Place>, found: &str, hint: &str) -> Self {
+        Self::Wrong { at, link: " = ", reason: format!("{found} {hint}") }
     }
 
     /// An error of the library at the field of the scene file; `at` gives the place of a field.
@@ -170,9 +151,7 @@ impl SceneError {
             ContactError::OutOfRange { field, value, required } => {
                 Self::value(at(field), value, required)
             }
-            ContactError::Missing { field, reason } => {
-                Self::Missing { at: at(field), needed: reason }
-            }
+            ContactError::Missing { field, reason } => Self::missing(at(field), &reason),
             source => Self::Refused { at: at(""), reason: source.to_string() },
         }
     }

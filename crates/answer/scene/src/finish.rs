@@ -282,10 +282,9 @@ fn one_finish() -> String {
 /// The finish of the table with this name.
 fn named(document: &Document<'_>, at: &str, word: &str) -> Result<&'static str, SceneError> {
     let wanted = word.trim().to_lowercase();
-    finishes().find(|name| *name == wanted).ok_or_else(|| SceneError::Value {
-        at: document.place(at),
-        found: format!("{:?}", shorten(word)),
-        near: nearest_name(&wanted, finishes()).map(Into::into),
-        needed: format!("{} (\"unknown\" for a finish without data)", one_finish()),
+    finishes().find(|name| *name == wanted).ok_or_else(|| {
+        let needed = format!("{} (\"unknown\" for a finish without data)", one_finish());
+        let found = format!("{:?}", shorten(word));
+        SceneError::of_names(document.place(at), &found, nearest_name(&wanted, finishes()), &needed)
     })
 }

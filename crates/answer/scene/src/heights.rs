@@ -61,7 +61,7 @@ fn inline_heights(
             format!("a table of {} heights and {} densities", heights.len(), densities.len());
         let needed = format!("one density for each height, at most {MOST_POINTS},");
         let at = document.place(at);
-        return Err(SceneError::Value { at, found, near: None, needed });
+        return Err(SceneError::of_names(at, &found, None, &needed));
     }
     let points: Vec<(f64, f64)> = heights.iter().copied().zip(densities.iter().copied()).collect();
     TabulatedHeights::new("table", &points).map_err(|source| match source {

@@ -48,6 +48,7 @@ pub(crate) enum Of {
     Heights,
     Curvature,
     Gap,
+    Seal,
 }
 
 impl SceneInput {
@@ -73,6 +74,7 @@ impl SceneInput {
             Of::Heights => "surface.heights",
             Of::Curvature => "curvature",
             Of::Gap => "gap",
+            Of::Seal => "seal",
         }
     }
 

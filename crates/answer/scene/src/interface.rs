@@ -65,12 +65,10 @@ fn body(document: &Document<'_>, section: &str) -> Result<Made, SceneError> {
                     [] => "a material of the list".into(),
                     _ => format!("one of {}", like.join(", ")),
                 };
-                SceneError::Value {
-                    at: document.place(&path("material")),
-                    found: format!("{:?}", shorten(&id)),
-                    near: nearest_name(&id, names()).map(Into::into),
-                    needed: format!("{needed} (`asperity list materials`)"),
-                }
+                let found = format!("{:?}", shorten(&id));
+                let needed = format!("{needed} (`asperity list materials`)");
+                let at = document.place(&path("material"));
+                SceneError::of_names(at, &found, nearest_name(&id, names()), &needed)
             })?
         }
         None => {

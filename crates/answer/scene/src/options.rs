@@ -65,7 +65,7 @@ impl ModelOptions {
     /// Sets one option; on error, no option changes.
     ///
     /// # Errors
-    /// [`SceneError::UnknownKey`] and [`SceneError::Value`], with a similar name and the values
+    /// [`SceneError::Wrong`] with a similar name and the values
     /// allowed.
     pub fn set(&mut self, name: &str, value: &Value) -> Result<(), SceneError> {
         let text = format!("{} = {value}\n", Value::from(name));

@@ -125,6 +125,11 @@ pub(crate) fn range_hint(text: &str) -> Option<String> {
         text.match_indices(mark).find_map(|(at, _)| {
             let (one, from) = leading(&text[..at])?;
             let (other, unit) = leading(&text[at + mark.len()..])?;
+            // An exponent is none: 1 e-6, 5 x 10^-3, N mm-2.
+            let is_power = text[..at].ends_with(['e', 'E', '^']) || unit.is_empty();
+            if is_power && !from.is_empty() {
+                return None;
+            }
             let from_unit = if from.is_empty() { &unit } else { &from };
             if !mark.starts_with(['+', '±']) {
                 return Some([(one, from_unit.clone()), (other, unit)]);
@@ -240,6 +245,25 @@ mod tests {
             [notation_hint("5 1/mm2"), notation_hint("1.500"), notation_hint("1, 5")],
             [None; 3]
         );
+    }
+
+    #[test]
+    fn ranges_and_prefixes_are_told_from_exponents() {
+        assert_eq!(
+            range_hint("1-2 um").unwrap(),
+            "is a range, which is written [\"1 um\", \"2 um\"]"
+        );
+        for text in ["1 e-6 m", "200 N mm-2", "5 x 10^-3 m", "-5 m", "1e-3", "2 mm"] {
+            assert_eq!(range_hint(text), None, "{text}");
+        }
+        for (text, si, wanted) in
+            [("80k", "N", "80 kN"), ("80K", "N", "80 kN"), ("2 G", "Pa", "2 GPa")]
+        {
+            assert!(
+                quantity(text, si).unwrap_err().ends_with(&format!("write {wanted:?}")),
+                "{text}"
+            );
+        }
     }
 
     #[test]

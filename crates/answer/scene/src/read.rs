@@ -3,17 +3,17 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use asperity::{Code, ContactError, Datum, Findings, TabulatedHeights};
+use asperity::{Code, Datum, Findings, TabulatedHeights};
 use toml::Value;
 
-use crate::curvature::{Curvature, WAYS};
+use crate::curvature::Curvature;
 use crate::document::{Document, Files, HandedFiles};
 use crate::error::{Place, SceneError};
 use crate::gap::Gas;
 use crate::heights::{compare_std, heights};
 use crate::input::SceneInput;
 use crate::interface::bodies;
-use crate::keys::{COUNTERFACE, CURVATURE, SEAL, joined, keys_of};
+use crate::keys::{COUNTERFACE, CURVATURE, Field, SEAL, joined, keys_of};
 use crate::measured::Scan;
 use crate::options::ModelOptions;
 use crate::resolve::resolve;
@@ -92,44 +92,35 @@ pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneE
     scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
 }
 
-/// The bodies of the section `[curvature]`.
-fn curvature(document: &Document<'_>) -> Result<Option<Curvature>, SceneError> {
-    if !document.has("curvature") {
-        return Ok(None);
-    }
-    let mut found = Curvature::default();
-    document.read_numbers("curvature", CURVATURE, &mut found)?;
-    match found.shape() {
-        Err(ContactError::Missing { .. }) => Err(document.missing("curvature", WAYS)),
-        Err(ContactError::Refused { reason, .. }) => {
-            Err(SceneError::Refused { at: document.place("curvature"), reason })
-        }
-        Err(error) => Err(document.refused("curvature")(error)),
-        Ok(_) if document.has("nominal_area") => {
-            let needed =
-                "one of the two (curved bodies meet at a patch, which follows from the load)";
-            Err(document.conflict("nominal_area", "curvature", needed))
-        }
-        Ok(_) => Ok(Some(found)),
-    }
+/// The numbers of a section that a scene may have.
+fn section<T: Default>(
+    document: &Document<'_>,
+    name: &str,
+    fields: &[Field<T>],
+) -> Result<Option<T>, SceneError> {
+    let mut found = T::default();
+    document.read_numbers(name, fields, &mut found)?;
+    Ok(document.has(name).then_some(found))
 }
 
-/// The section `[seal]`.
-fn seal(document: &Document<'_>) -> Result<Option<Seal>, SceneError> {
-    if !document.has("seal") {
-        return Ok(None);
+/// Refuses curved bodies that are none, and those with a nominal area.
+fn check_curvature(document: &Document<'_>, bodies: Curvature) -> Result<(), SceneError> {
+    bodies.shape().map_err(document.refused("curvature"))?;
+    let needed = "one of the two (curved bodies meet at a patch, which follows from the load)";
+    match document.has("nominal_area") {
+        true => Err(document.conflict("nominal_area", "curvature", needed)),
+        false => Ok(()),
     }
-    let mut found = Seal { gas: document.get("seal.gas")?, ..Seal::default() };
-    document.read_numbers("seal", SEAL, &mut found)?;
-    Ok(Some(found))
 }
 
 /// What a document says of its scene.
 fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scans>), SceneError> {
     document.check_sections()?;
     let options = ModelOptions::default().with_keys(document, "options")?;
-    let curvature = curvature(document)?;
-    let seal = seal(document)?;
+    let curvature = section(document, "curvature", CURVATURE)?;
+    curvature.map_or(Ok(()), |bodies| check_curvature(document, bodies))?;
+    let gas = document.get("seal.gas")?;
+    let seal = section(document, "seal", SEAL)?.map(|seal| Seal { gas, ..seal });
     let of_seal = seal.and_then(|seal| seal.area()).filter(|_| !document.has("nominal_area"));
     let nominal_area = match curvature {
         None => of_seal.map_or_else(|| document.needed_number("nominal_area"), Ok)?,
@@ -211,13 +202,9 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     let scans = spec.surfaces().filter_map(|(_, one)| one.scan()?.source.as_ref());
     origin.files = scans.map(|(path, _)| path.clone()).collect();
     let mut file = SceneFile {
-        spec,
-        scene,
-        measured,
         warnings,
-        solved: vec![],
-        ranges: vec![],
         origin: Some(Arc::new(origin)),
+        ..SceneFile::new(spec, scene, measured)
     };
     file.ranges = ranges(document, &file)?;
     match file.no_mean_plane() {

@@ -59,6 +59,14 @@ impl<'s> One<'s> {
     }
 }
 
+impl SurfaceSpec {
+    /// The moments of its profiles; none of aligned scans, and of numbers out of range.
+    pub(crate) fn moments(&self, interface: &Interface) -> Option<ProfileMoments> {
+        let moments = One::new(self, interface).ok()?.moments;
+        Some(moments).filter(|of| of.m0 > 0.0)
+    }
+}
+
 /// The statistics of what was measured: of the only scan, of aligned scans, or of two surfaces of
 /// which one was.
 fn measured(

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use asperity::{ContactError, Interface, ProfileMoments, Scene, Surface};
+use asperity::{ContactError, Interface, ProfileMoments, Scene, Surface, positive};
 
 /// The ways to describe a surface by three numbers, in their order, with the keys.
 pub(crate) const WAYS: [(Way, [&str; 3]); 6] = [
@@ -99,6 +99,9 @@ impl Roughness {
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.
     pub fn surface(&self, interface: &Interface) -> Result<Surface, ContactError> {
+        for (key, number) in self.by_key() {
+            positive(key, number)?;
+        }
         let [a, b, c] = self.numbers;
         let surface = match self.way {
             Way::Asperities => Ok(Surface::new(a, b, c)),
@@ -106,7 +109,7 @@ impl Roughness {
             Way::SurfaceStd => Surface::from_surface_std(a, b, c),
             Way::MeanSlope => Surface::from_mean_slope(a, b, c),
             Way::Moments => Surface::from_moments(&ProfileMoments { m0: a, m2: b, m4: c }),
-            Way::Iso25178 => Surface::from_iso25178(a, b, c),
+            Way::Iso25178 => Surface::from_surface_std(1.0 / c, b, a),
         }?;
         surface.check()?;
         Ok(surface)

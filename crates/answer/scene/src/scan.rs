@@ -17,7 +17,7 @@ impl SceneFile {
     /// repeated as it is.
     ///
     /// # Errors
-    /// [`SceneError::Missing`] without a scan or with two that are not aligned;
+    /// [`SceneError::Wrong`] without a scan or with two that are not aligned;
     /// [`SceneError::Refused`] for a profile and for missing points.
     pub fn bem(&self) -> Result<Bem, SceneError> {
         self.pressed(self.spec.options.bem())
@@ -38,7 +38,7 @@ impl SceneFile {
         let at = Box::new(Place::field("surface.file"));
         let Some(scan) = self.scan() else {
             let needed = "boundary elements (bem) need the scan of one surface, file = \"scan.x3p\" in [surface] with unit and pixel_size if the file does not state them, or scans of both with aligned = true";
-            return Err(SceneError::Missing { at, needed: needed.into() });
+            return Err(SceneError::missing(at, needed));
         };
         let map = whole_map(scan, "boundary elements need");
         let map = map.map_err(|reason| SceneError::Refused { at, reason })?;

@@ -49,20 +49,24 @@ impl From<Scene> for SceneFile {
         let mut spec = SceneSpec::new(bodies, surface, scene.nominal_area);
         spec.surface.mean_plane_offset = scene.mean_plane_offset;
         spec.heights = HeightsSpec::from(scene.heights.clone());
-        let (warnings, solved) = Default::default();
-        Self { spec, scene, measured: None, warnings, solved, ranges: vec![], origin: None }
+        Self::new(spec, scene, None)
     }
 }
 
 impl SceneFile {
+    /// The scene of a spec with the statistics of its scans, written nowhere.
+    pub(crate) fn new(spec: SceneSpec, scene: Scene, measured: Option<Arc<Measured>>) -> Self {
+        let (warnings, solved) = Default::default();
+        Self { spec, scene, measured, warnings, solved, ranges: vec![], origin: None }
+    }
+
     /// The scene that a spec describes.
     ///
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.
     pub fn of_spec(spec: SceneSpec) -> Result<Self, ContactError> {
         let (scene, measured) = resolve(&spec).map_err(|fault| fault.source)?;
-        let (warnings, solved) = Default::default();
-        Ok(Self { spec, scene, measured, warnings, solved, ranges: vec![], origin: None })
+        Ok(Self::new(spec, scene, measured))
     }
 
     /// Accepts warnings and notes of these codes, too.

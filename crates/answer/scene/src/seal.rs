@@ -253,6 +253,11 @@ mod tests {
         let (area, found) = fields(&both.replace("nominal_area = 1e-4", ""));
         assert!((area / 2e-4 - 1.0).abs() < 1e-12 && found.is_empty(), "{found:?}");
         assert_eq!(fields(&both.replace("2 mm", "2 m")).1, ["seal.width", "nominal_area"]);
+        // Numbers of a seal may be ranges and are replaced, and its area follows.
+        let range = both.replace("nominal_area = 1e-4", "").replace("\"2 mm\"", "[1e-3, 4e-3]");
+        let points = parse(&range, Path::new(".")).unwrap().points().unwrap();
+        let areas = [0, 1].map(|k| points.all[k].scene.nominal_area);
+        assert!(areas.iter().zip([1e-4, 4e-4]).all(|(a, b)| (a / b - 1.0).abs() < 1e-12));
     }
 
     #[test]

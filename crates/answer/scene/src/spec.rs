@@ -2,10 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity::{
-    Body, Code, ContactError, Datum, HeightDistribution, Interface, ProfileMoments,
-    TabulatedHeights,
-};
+use asperity::{Body, Code, ContactError, Datum, HeightDistribution, Interface, TabulatedHeights};
 
 use crate::curvature::Curvature;
 use crate::finish::Drawing;
@@ -204,17 +201,6 @@ impl SurfaceSpec {
     /// The statistics of the scan of this surface.
     pub(crate) fn measured(&self) -> Option<&Arc<Measured>> {
         self.scan()?.measured.as_ref()
-    }
-
-    /// The moments of its profiles; none of aligned scans, and of numbers out of range.
-    pub(crate) fn moments(&self, interface: &Interface) -> Option<ProfileMoments> {
-        let drawn = || self.drawing()?.roughness().ok();
-        if let Some(one) = self.roughness().or_else(drawn) {
-            return Some(one.moments(&one.surface(interface).ok()?));
-        }
-        let statistics = &self.measured()?.statistics;
-        let (m0, m2, m4) = (statistics.m0, statistics.m2, statistics.m4);
-        Some(ProfileMoments { m0, m2, m4 })
     }
 }
 

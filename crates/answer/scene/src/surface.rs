@@ -86,12 +86,9 @@ pub(crate) fn surfaces(
     let first = described(document, "surface", table_std)?;
     let word = document.value(COUNTERFACE).and_then(Value::as_str);
     if let Some(word) = word.filter(|word| !WORDS.contains(word)) {
-        return Err(SceneError::Value {
-            at: document.place(COUNTERFACE),
-            found: format!("{:?}", shorten(word)),
-            near: nearest_name(word, WORDS).map(Into::into),
-            needed: "\"smooth\", \"same\" or the keys of the second surface".into(),
-        });
+        let needed = "\"smooth\", \"same\" or the keys of the second surface";
+        let (at, found) = (document.place(COUNTERFACE), format!("{:?}", shorten(word)));
+        return Err(SceneError::of_names(at, &found, nearest_name(word, WORDS), needed));
     }
     let (is_smooth, is_same) = (word == Some(WORDS[0]), word == Some(WORDS[1]));
     let is_pair = document.has(COUNTERFACE) && word.is_none();

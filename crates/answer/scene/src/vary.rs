@@ -7,7 +7,9 @@ use asperity::{
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
 use crate::input::{OWN, Of, SCENE, SceneInput};
-use crate::keys::{BODY, CURVATURE, Field, GAP, INTERFACE, MECHANICAL, OF_PAIR, key_of_input};
+use crate::keys::{
+    BODY, CURVATURE, Field, GAP, INTERFACE, MECHANICAL, OF_PAIR, SEAL, key_of_input,
+};
 use crate::roughness::{Roughness, Way};
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
@@ -40,6 +42,7 @@ impl SceneFile {
         all.extend(named(Of::Gap, GAP).filter(|_| gas.is_some()));
         let is_given = |one: &SceneInput| self.value_of(*one).is_some();
         all.extend(named(Of::Curvature, CURVATURE).filter(is_given));
+        all.extend(named(Of::Seal, SEAL).filter(is_given));
         all.extend([SceneInput { of: Of::Heights, key: "skewness" }].into_iter().filter(is_given));
         all.extend((0..bodies).flat_map(|body| named(Of::Body(body), BODY)));
         all.into_iter().map(|input| (input.name(), input)).collect()
@@ -140,6 +143,7 @@ impl SceneFile {
             Of::Interface => Field::value(INTERFACE, key, &self.scene.interface),
             Of::Curvature => Field::value(CURVATURE, key, spec.curvature.as_ref()?),
             Of::Gap => Field::value(GAP, key, spec.gas.as_ref()?),
+            Of::Seal => Field::value(SEAL, key, spec.seal.as_ref()?),
             Of::Body(place) => Field::value(BODY, key, self.bodies().get(place)?),
             Of::Bodies => {
                 let value = |body: &Body| Field::value(BODY, key, body);
@@ -184,6 +188,13 @@ impl SceneFile {
                     Field::put(CURVATURE, key, spec.curvature.get_or_insert_default(), value)
                 }
                 Of::Gap => spec.gas.iter_mut().for_each(|gas| Field::put(GAP, key, gas, value)),
+                Of::Seal => {
+                    let seal = spec.seal.get_or_insert_default();
+                    let follows = seal.area() == Some(spec.nominal_area);
+                    Field::put(SEAL, key, seal, value);
+                    spec.nominal_area =
+                        seal.area().filter(|_| follows).unwrap_or(spec.nominal_area);
+                }
                 Of::Body(place) => spec.bodies.set(key, value, |k| k == place),
                 Of::Bodies => spec.bodies.set(key, value, |_| true),
                 Of::Surface(second) => match spec.surface_mut(second) {

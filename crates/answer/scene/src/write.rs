@@ -189,12 +189,6 @@ fn keys_of_body(body: &Body, material: Option<&Material>) -> Table {
 }
 
 impl SurfaceSpec {
-    /// Its numbers beside its description.
-    fn own(&self) -> Table {
-        let number = |field: &Field<Self>| Some((field.name.into(), (field.get)(self)?.into()));
-        OWN.iter().filter_map(number).collect()
-    }
-
     /// The keys that describe the surface.
     fn keys(&self) -> Table {
         let number = |(key, value): (&str, f64)| (key.to_string(), Value::from(value));
@@ -206,7 +200,8 @@ impl SurfaceSpec {
             }
             Description::Scan(scan) => keys_of_scan(scan),
         };
-        keys.extend(self.own());
+        let own = |field: &Field<Self>| Some((field.name.into(), (field.get)(self)?.into()));
+        keys.extend(OWN.iter().filter_map(own));
         keys
     }
 }

@@ -148,10 +148,10 @@ impl Check {
             // Elastic asperities have no critical interference.
             if let (Ok(w), Ok(f)) = (asperity.critical_interference(), asperity.critical_force()) {
                 let of_radius = match is_of_pair {
-                    true => {
-                        let radius = asperity.radius;
-                        format!(", with R = {radius:.4e} m of contacts between both surfaces")
-                    }
+                    true => format!(
+                        ", with R = {:.4e} m of contacts between both surfaces",
+                        asperity.radius
+                    ),
                     false => String::new(),
                 };
                 let meaning = format!("w_c = (pi S H/(2 E))^2 R{of_radius}");
@@ -201,25 +201,16 @@ impl Check {
         let above = "of the asperities above the mean plane";
         check.add_number("mean_plane_offset", scene.mean_plane_offset(), "m", above);
         if is_of_pair {
-            for (name, value, meaning) in [
-                (
-                    "pair_asperity_height_std",
-                    contacts.surface.asperity_height_std,
-                    "sigma_z of both surfaces together, the unit of separations",
-                ),
-                (
-                    "pair_surface_height_std",
-                    contacts.surface_height_std(),
-                    "sigma of both surfaces together, the unit of films",
-                ),
-                (
-                    "pair_mean_plane_offset",
-                    contacts.mean_plane_offset(),
-                    "of the asperities of both surfaces above their mean planes",
-                ),
-            ] {
-                check.add_number(name, value, "m", meaning);
-            }
+            let (sigma, surface_sigma) =
+                (contacts.surface.asperity_height_std, contacts.surface_height_std());
+            let both = "of both surfaces together, the unit of";
+            let meaning = format!("sigma_z {both} separations");
+            check.add_number("pair_asperity_height_std", sigma, "m", meaning);
+            let meaning = format!("sigma {both} films");
+            check.add_number("pair_surface_height_std", surface_sigma, "m", meaning);
+            let meaning = "of the asperities of both surfaces above their mean planes";
+            let offset = contacts.mean_plane_offset();
+            check.add_number("pair_mean_plane_offset", offset, "m", meaning);
         }
         check.add_number("nominal_area", scene.nominal_area, "m2", "A_n");
         check.add_number("asperities", scene.asperities(), "", "eta A_n");

@@ -1,6 +1,6 @@
 //! Errors about unknown keys, wrong kinds of values and syntax; they suggest what was meant.
 
-use asperity::nearest_name;
+use asperity::{nearest_hint, nearest_name};
 use toml::de::Error;
 
 use super::Document;
@@ -24,7 +24,7 @@ impl Document<'_> {
             }
             "f64" => match range_hint(found.trim_matches('"')) {
                 Some(hint) if super::may_have_range(path) => {
-                    return SceneError::Notation { at: self.place(path), found, hint };
+                    return SceneError::notation(self.place(path), &found, &hint);
                 }
                 _ => format!("a number ({meaning})"),
             },
@@ -38,8 +38,7 @@ impl Document<'_> {
         let names = needed.split('"').skip(1).step_by(2);
         let names = names.filter(|name| !name.starts_with(|c: char| c.is_ascii_digit()));
         let near = nearest_name(found.trim_matches('"'), names);
-        let near = near.map(Into::into);
-        SceneError::Value { at: self.place(path), found, near, needed }
+        SceneError::of_names(self.place(path), &found, near, &needed)
     }
 
     /// The error for an unknown key of a section.
@@ -54,7 +53,7 @@ impl Document<'_> {
         if let Some(key) = elsewhere {
             allowed = format!("it belongs to {}; {allowed}", key.home());
         }
-        SceneError::UnknownKey { at: self.place(path), near: near.map(Into::into), allowed }
+        SceneError::wrong(self.place(path), format!("not known{}: {allowed}", nearest_hint(near)))
     }
 
     /// An error of TOML syntax.

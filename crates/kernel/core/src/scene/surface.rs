@@ -123,7 +123,7 @@ impl Surface {
         positive("surface_height_std", surface_height_std)?;
         let per_length = asperity_density * asperity_radius;
         let beta = per_length * surface_height_std;
-        let required = "at least 0.02493, as of every isotropic Gaussian surface (asperity_density times asperity_radius times surface_height_std),";
+        let required = "at least 0.02493, as of every isotropic Gaussian surface (asperity_density times asperity_radius times surface_height_std, or sq times spd over spc),";
         require(beta >= 0.024_93, "roughness_parameter", beta, required)?;
         let share = 1.0 - SUMMIT_VARIANCE / (beta * beta);
         let asperity_height_std = surface_height_std * share.sqrt();
@@ -148,26 +148,6 @@ impl Surface {
         let density = positive("asperity_density", asperity_density)?;
         let m4 = 6.0 * 3f64.sqrt() * std::f64::consts::PI * density * m2;
         Self::from_moments(&ProfileMoments { m0, m2, m4 })
-    }
-
-    /// From the parameters of ISO 25178 that instruments report: the standard deviation of the
-    /// surface heights Sq \[m\], the density of peaks Spd \[1/m²\] and their mean curvature Spc
-    /// \[1/m\]. The peaks are taken for the asperities: η = Spd, R = 1/Spc.
-    ///
-    /// # Errors
-    /// [`ContactError`] when an input is not positive; the errors of
-    /// [`from_surface_std`](Self::from_surface_std).
-    pub fn from_iso25178(sq: f64, spd: f64, spc: f64) -> Result<Self, ContactError> {
-        let (sq, spd) = (positive("sq", sq)?, positive("spd", spd)?);
-        let made = Self::from_surface_std(1.0 / positive("spc", spc)?, spd, sq);
-        made.map_err(|error| match error {
-            ContactError::OutOfRange { field: "roughness_parameter", value, .. } => {
-                let required =
-                    "at least 0.02493, as of every isotropic Gaussian surface, whose bandwidth is at least 1.5 (a larger sq or spd, a smaller spc),";
-                ContactError::OutOfRange { field: "sq (times spd/spc)", value, required }
-            }
-            error => error,
-        })
     }
 
     /// The moments of the profiles of an isotropic Gaussian surface with these asperities: what
