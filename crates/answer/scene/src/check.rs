@@ -225,7 +225,9 @@ impl SceneFile {
         let Some(shape) = self.shape() else { return };
         check.numbers.retain(|one| !["nominal_area", "asperities"].contains(&&*one.name));
         let radii = match shape {
-            Shape::Point { radius_x, radius_y } => vec![("radius_x", radius_x), ("radius_y", radius_y)],
+            Shape::Point { radius_x, radius_y } => {
+                vec![("radius_x", radius_x), ("radius_y", radius_y)]
+            }
             Shape::Line { radius, .. } => vec![("radius_x", radius)],
         };
         for (name, radius) in &radii {

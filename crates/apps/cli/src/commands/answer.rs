@@ -38,8 +38,8 @@ pub struct Answer {
     /// Solve the scan of the scene at these loads by boundary elements, and answer with that
     #[arg(long)]
     solve: bool,
-    /// Relative tolerance of values of models, from 1e-15 to 0.1; of curved bodies from 1e-8, and 1e-6
-    /// in place of the default
+    /// Relative tolerance of values of models, from 1e-15 to 0.1; of curved bodies from 1e-8, and
+    /// 1e-6 in place of the default
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
     tolerance: Tolerance,
     #[command(flatten)]

@@ -61,8 +61,8 @@ pub struct Joint {
     stick_map: Option<PathBuf>,
     #[command(flatten)]
     press: PressArgs,
-    /// Relative tolerance of every value, from 1e-15 to 0.1; of curved bodies from 1e-8, and 1e-6 in
-    /// place of the default
+    /// Relative tolerance of every value, from 1e-15 to 0.1; of curved bodies from 1e-8, and
+    /// 1e-6 in place of the default
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
     tolerance: Tolerance,
     #[command(flatten)]
