@@ -313,8 +313,7 @@ pub fn lines(file: &SceneFile, sheet: &Sheet) -> Sheet {
     let ends: &[&str] = if has_ends { &["from", "to"] } else { &[] };
     lines.under(&[load, &["quantity", "value"], ends, &["unit"]]);
     // A share of a nominal area within a range is no ratio of two ends.
-    let is_flat = file.shape().is_none()
-        && file.unknowns().iter().all(|unknown| unknown.name != "nominal_area");
+    let is_flat = file.shape().is_none() && file.has_fixed_area();
     for row in &sheet.rows {
         let number = |head: &str| row[sheet.column(head)?].number();
         for head in &sheet.heads {

@@ -18,7 +18,7 @@ const CLOSED: &str =
     "contacts, and gaps smaller than a molecule, close every way through this scan";
 
 /// A warning of a path through gaps in which no law of flow is known.
-pub(crate) fn tight(field: String, gap: f64) -> Option<Finding> {
+fn tight(field: String, gap: f64) -> Option<Finding> {
     let advice = "gaps below 1 nm, in which no law of flow is known, carry the leak: take it as an order of magnitude";
     let tight = Finding::warning(Code::Atomic, field, gap).unit("m").advice(advice);
     (gap < NANOMETRE).then(|| tight.usual([NANOMETRE, f64::INFINITY]))

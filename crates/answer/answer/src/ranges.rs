@@ -143,7 +143,9 @@ impl Ends<'_> {
         let has_own =
             |column: &usize| sheet.column(&column_of_end(&sheet.heads[*column], ENDS[0])).is_some();
         let columns = (0..sheet.heads.len()).filter(|column| !has_own(column));
-        let columns = columns.filter(|column| is_answer(column) || differs(column));
+        let is_end = |column: &usize| of_interval(&sheet.heads[*column]).is_some();
+        let is_shown = |column: &usize| is_answer(column) || is_end(column) || differs(column);
+        let columns = columns.filter(is_shown);
         let columns: Vec<usize> = columns.collect();
         let ends = |row: usize, column: usize| self.ends(sheet, row, column);
         let ends: Vec<Vec<Result<[f64; 2], NoEnds>>> = (0..sheet.rows.len())

@@ -4,7 +4,6 @@ use asperity::bem::{Bem, Continuation, Direction, Progress, Sealing, Solution};
 use asperity::{ATOMIC_DISTANCE, Code, short};
 use asperity_scene::SceneFile;
 
-use crate::leak::tight;
 use crate::{AnswerError, Cell, Sheet, Watch};
 
 /// What is said of the samples: its column, and its value in each.
@@ -85,8 +84,6 @@ pub fn sealing(
         let tightest = all.iter().flatten().map(|one| one.tightest_gap).min_by(f64::total_cmp);
         row.push(tightest.into());
         sheet.rows.push(row);
-        let field = format!("tightest_gap_{along}");
-        sheet.findings.extend(tightest.and_then(|gap| tight(field, gap)));
     }
     Ok(heaviest)
 }

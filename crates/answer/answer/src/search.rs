@@ -106,7 +106,11 @@ impl Search {
             for seeker in seekers.iter_mut().flatten().filter(|seeker| seeker.step > STEPS[1]) {
                 let moved = seeker.take(&known);
                 let [lower, upper] = seeker.extremes.map(|(_, number)| number);
-                seeker.is_growing = moved > GROWING || upper - lower > GROWN * seeker.width;
+                if step == 0 {
+                    seeker.width = upper - lower;
+                }
+                seeker.is_growing =
+                    step > 0 && (moved > GROWING || upper - lower > GROWN * seeker.width);
                 if step > 0 && moved < SETTLED {
                     seeker.step *= FINER;
                 }

@@ -224,6 +224,8 @@ impl SceneFile {
     fn add_bodies(&self, check: &mut Check, load: Option<f64>) {
         let Some(shape) = self.shape() else { return };
         check.numbers.retain(|one| !["nominal_area", "asperities"].contains(&&*one.name));
+        let found = std::mem::take(&mut check.findings).into_iter();
+        check.findings = found.filter(|found| found.field != "nominal_area").collect();
         let radii = match shape {
             Shape::Point { radius_x, radius_y } => {
                 vec![("radius_x", radius_x), ("radius_y", radius_y)]

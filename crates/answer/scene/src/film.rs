@@ -10,6 +10,9 @@ use crate::scene_file::SceneFile;
 /// The largest angle \[degrees\] between the lay of a scan and its rows or columns that counts as
 /// none: the factors of one lay have a wider range than those of an oblique one.
 const ALIGNED: f64 = 2.0;
+/// The ratio of correlation lengths below which a scan has no lay, and they are taken along its
+/// rows and columns.
+const ISOTROPIC: f64 = 1.5;
 
 impl SceneFile {
     /// The factors of flow between the surfaces of a model: the first moves, and a single one faces
@@ -70,7 +73,16 @@ fn peklenik_number(scan: &Topography) -> Result<(f64, f64), String> {
         let edge = "the correlation of the heights does not fall to a half within the scan";
         return Err(format!("{edge}; set {PEKLENIK} in [surface]"));
     };
-    Ok((along / across, if degrees.abs() > ALIGNED { degrees } else { 0.0 }))
+    let extent = |degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        (cos / along).hypot(sin / across).recip()
+    };
+    let ratio = along / across;
+    Ok(match ratio.max(ratio.recip()) < ISOTROPIC {
+        // The axes of a round correlation are those of single waves.
+        true => (extent(degrees) / extent(90.0 - degrees), 0.0),
+        false => (ratio, if degrees.abs() > ALIGNED { degrees } else { 0.0 }),
+    })
 }
 
 #[cfg(test)]

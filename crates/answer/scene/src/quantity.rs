@@ -178,7 +178,13 @@ fn vickers(text: &str) -> Option<f64> {
     let text = text.to_uppercase();
     let (number, scale) = ["HV", "HRC", "HBW", "HB"].into_iter().find_map(|scale| {
         let (before, after) = text.trim().split_once(scale)?;
-        let number = [before, after].into_iter().find_map(|text| text.trim().parse::<f64>().ok());
+        // Before the scale, with the load of the test behind it, or behind it.
+        let is_load = |text: &str| text.split('/').all(|of| of.trim().parse::<f64>().is_ok());
+        let number = match (before.trim(), after.trim()) {
+            ("", number) => number.parse::<f64>().ok(),
+            (number, load) if load.is_empty() || is_load(load) => number.parse::<f64>().ok(),
+            _ => None,
+        };
         number.filter(|value| value.is_finite()).map(|number| (number, scale))
     })?;
     match scale {
@@ -281,7 +287,15 @@ mod tests {
             let found = quantity_of("hardness", text).unwrap();
             assert!((found / pascals - 1.0).abs() < 5e-4, "{text}: {found}");
         }
-        for text in ["70 HRC", "500 HB", "90 HRB", "60 Shore A"] {
+        for text in [
+            "70 HRC",
+            "500 HB",
+            "90 HRB",
+            "60 Shore A",
+            "107 HV - 120 HV",
+            "107 HV ± 5",
+            "107 HV GPa",
+        ] {
             assert!(quantity_of("hardness", text).is_err(), "{text}");
         }
         assert!(quantity_of("yield_strength", "120 HV").is_err());

@@ -210,6 +210,15 @@ impl SceneFile {
         Ok(Points { middle: self.middle()?, all, unknowns, shares })
     }
 
+    /// Whether the nominal area, or the seal from which it follows, has no range.
+    #[must_use]
+    pub fn has_fixed_area(&self) -> bool {
+        let count = self.unknowns().len();
+        let area =
+            |share: f64| Some(self.at(&vec![share; count]).ok()?.scene.nominal_area.to_bits());
+        count == 0 || area(0.0) == area(1.0)
+    }
+
     /// The scene in the middle of its ranges.
     ///
     /// # Errors

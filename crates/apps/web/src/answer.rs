@@ -12,6 +12,7 @@ use asperity_scene::SceneFile;
 use serde::Serialize;
 use serde_json::{Value, json};
 
+use crate::advice::BEST;
 use crate::labels::{message, symbols};
 use crate::refusal::Refusal;
 use crate::shown::ranged;
@@ -252,13 +253,13 @@ fn values(scenes: &Scenes, compiled: &Compiled, places: &[At]) -> (Vec<Cells>, V
     let first = all.map(numbers).collect();
     let middle: Numbers = rows.iter().flat_map(ends).collect();
     let is_picture = places.len() > 1;
-    let has_own = |cell: &Result<Known, String>| cell.as_ref().is_ok_and(|one| one.ends.is_some());
-    let sought = |cell: &Result<Known, String>| match has_own(cell) {
+    let has_intervals = compiled.id == BEST;
+    let of_cell = match has_intervals {
         _ if is_picture => [[false; 2]; 2],
         true => [[true, false], [false, true]],
         false => [[true; 2], [false; 2]],
     };
-    let sought: Vec<[bool; 2]> = rows.iter().flatten().flat_map(sought).collect();
+    let sought = of_cell.repeat(middle.len() / 2);
     let fill = |shares: &[Vec<f64>]| {
         let at = |shares: &Vec<f64>| {
             let file = ranges.at(shares)?;
@@ -268,7 +269,7 @@ fn values(scenes: &Scenes, compiled: &Compiled, places: &[At]) -> (Vec<Cells>, V
     };
     let found = search.ends(&middle, first, &sought, fill);
     for (place, cell) in rows.iter_mut().flatten().enumerate() {
-        let second = usize::from(has_own(cell));
+        let second = usize::from(has_intervals);
         let ends = found.as_ref().map_err(|refused| refused.message.clone()).and_then(|found| {
             let [lower, upper] = [found[2 * place], found[2 * place + second]];
             let ends = lower.and_then(|lower| Ok([lower[0], upper?[1]]));

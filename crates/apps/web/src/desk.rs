@@ -23,8 +23,8 @@ use crate::{
 pub struct Desk {
     files: HandedFiles,
     file: Option<SceneFile>,
-    /// The scene or, where its surface is known within ranges, those in the middle of these and at
-    /// every combination of their ends.
+    /// The scene or, where numbers are known within ranges, those in the middle and at points of
+    /// these.
     scenes: Scenes,
     /// Models on all of these, or why the scene refuses them.
     compiled: BTreeMap<String, Result<Compiled, String>>,

@@ -147,7 +147,10 @@ impl MaterialRatio {
     #[must_use]
     pub fn functional(&self) -> Functional {
         let (_, [top, bottom]) = self.core();
-        let [smr1, smr2] = [top, bottom].map(|height| self.share(height));
+        // A core that is a plateau belongs to neither peaks nor dales, however its heights round.
+        let rounding = 1e-10 * (self.heights[0] - self.heights[self.heights.len() - 1]);
+        let rounding = if top - bottom < rounding { rounding } else { 0.0 };
+        let [smr1, smr2] = [top + rounding, bottom - rounding].map(|height| self.share(height));
         // Triangles of the same areas above and below the core, on the share of a point or more.
         let triangle =
             |area: f64, base: f64| 2.0 * area / base.max(1.0 / self.heights.len() as f64);
@@ -214,6 +217,25 @@ mod tests {
     fn curve(heights: Vec<f64>) -> MaterialRatio {
         let columns = heights.len();
         Topography::new(heights, columns, [1e-6; 2]).unwrap().material_ratio().unwrap()
+    }
+
+    #[test]
+    fn plateaus_are_no_peaks_and_no_dales() {
+        // 70 % at 0 and 30 % at -1, one peak of 1 on a flat, and one pit.
+        for count in [30, 1000, 4096, 99_991] {
+            let low = count * 3 / 10;
+            let two = (0..count).map(|k| if k < low { -1.0 } else { 0.0 });
+            let found = curve(two.collect()).functional();
+            let share = (count - low) as f64 / count as f64;
+            assert!((found.smr2 - share).abs() < 2.0 / count as f64, "{count} {}", found.smr2);
+            assert!((found.svk - 2.0).abs() < 0.2, "{count} {}", found.svk);
+            for sign in [1.0, -1.0] {
+                let one = (0..count).map(|k| if k == 7 { sign } else { 0.0 });
+                let found = curve(one.collect()).functional();
+                let size = if sign > 0.0 { found.spk } else { found.svk };
+                assert!((size - 2.0).abs() < 0.2, "{count} {size}");
+            }
+        }
     }
 
     #[test]
