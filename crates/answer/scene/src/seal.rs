@@ -49,6 +49,8 @@ pub struct Seal {
 
 /// The temperature \[K\] of a gas that has none: 20 °C.
 const ROOM: f64 = 293.15;
+/// How much an own viscosity of a listed gas may differ from that of the list, as a factor.
+const OWN: f64 = 3.0;
 /// The normal state (DIN 1343): 0 °C \[K\] and 1.01325 bar \[Pa\].
 const NORMAL: [f64; 2] = [273.15, 101_325.0];
 /// The temperatures \[K\] at which the viscosities of [`SealGas::numbers`] are within 1 %.
@@ -139,7 +141,17 @@ impl Seal {
                 refuse(!is_known, "temperature", Some(temperature), required)?;
                 viscosity * (temperature / ROOM).powf(power)
             }
-            (viscosity, _) => needed("viscosity", viscosity, FLUID)?,
+            (viscosity, listed) => {
+                let viscosity = needed("viscosity", viscosity, FLUID)?;
+                let is_other = |[_, of, power, _]: [f64; 4]| {
+                    let of = of * (temperature / ROOM).powf(power);
+                    !(of / OWN..=of * OWN).contains(&viscosity)
+                };
+                let required =
+                    "at most 3 times that of the gas, and at least a third (a liquid has no gas)";
+                refuse(listed.is_some_and(is_other), "viscosity", Some(viscosity), required)?;
+                viscosity
+            }
         };
         let gas = bem::Gas::new(viscosity, molar_mass, temperature, Rarefaction::Transition);
         let reason = |error: bem::BemError| error.to_string();

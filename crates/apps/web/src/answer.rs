@@ -2,8 +2,8 @@
 
 use asperity::recommended::JKR;
 use asperity::{
-    At, Code, ContactError, Described, Finding, Findings, Quantity, Request, Severity, Tolerance,
-    shortest_digits,
+    At, Best, Code, ContactError, Described, Finding, Findings, Model, Quantity, Request, Severity,
+    Tolerance, shortest_digits,
 };
 use asperity_answer::{
     ADHESIVE, Answer, Asked, ENDS, Line, Numbers, OPENING, Search, column_of_end, has_property,
@@ -12,7 +12,6 @@ use asperity_scene::SceneFile;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::advice::BEST;
 use crate::labels::{message, symbols};
 use crate::refusal::Refusal;
 use crate::shown::ranged;
@@ -253,7 +252,7 @@ fn values(scenes: &Scenes, compiled: &Compiled, places: &[At]) -> (Vec<Cells>, V
     let first = all.map(numbers).collect();
     let middle: Numbers = rows.iter().flat_map(ends).collect();
     let is_picture = places.len() > 1;
-    let has_intervals = compiled.id == BEST;
+    let has_intervals = compiled.id == Best::<Model>::ID;
     let of_cell = match has_intervals {
         _ if is_picture => [[false; 2]; 2],
         true => [[true, false], [false, true]],

@@ -83,9 +83,8 @@ pub fn compiled(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
     let compiled = laws.scene(problem, tolerance)?;
     // Exponential heights have one integral for all separations.
     let request = Request::new([quantity]).within(Tolerance::new(tolerance)?).at([separation]);
-    let plan = compiled.plan(&request).ok();
-    let mut steps = plan.iter().flat_map(|plan| &plan.steps);
-    let step = steps.find(|step| step.quantities.contains(&quantity));
+    let plan = compiled.plan(&request)?;
+    let step = plan.steps.iter().find(|step| step.quantities.contains(&quantity));
     let evaluations = Some(step.and_then(|step| step.terms).map_or(1, |(_, most)| most));
     Ok(Box::new(move || {
         let found = compiled.evaluate(quantity, separation).map_err(|_| NOT_CONVERGED)?;

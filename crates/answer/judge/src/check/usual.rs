@@ -65,7 +65,7 @@ const USUAL: [Usual; 30] = [
     (&RADII, [1e-8, 5.0], 0.1, "m"),
     // Of seals, from instruments to long flanges.
     (&["width"], [1e-6, 1.0], 0.01, "m"),
-    (&["length", "perimeter"], [1e-5, 100.0], 0.1, "m"),
+    (&["length", "perimeter", "reference_length"], [1e-5, 10.0], 0.1, "m"),
     (&["upstream_pressure"], [100.0, 1e9], 1e6, "Pa"),
     // From hydrogen to thick oils and greases.
     (&["viscosity"], [5e-6, 10.0], 0.01, "Pa s"),
