@@ -251,7 +251,7 @@ impl SceneFile {
         let ranges = unknowns.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
         let found = Finding::note(Code::TakenAt, "at", share)
             .fact(format!("calculated {place} of the ranges of {ranges}"))
-            .advice("at lower and upper are the ends; curve, check and answer give ranges");
+            .advice("a value with every number at its lower or its upper end need not be an end of the answer: curve, check and answer give these");
         if unknowns.is_empty() {
             return Ok((self.clone(), None));
         }

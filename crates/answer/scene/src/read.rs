@@ -121,9 +121,11 @@ fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scan
     curvature.map_or(Ok(()), |bodies| check_curvature(document, bodies))?;
     let gas = document.get("seal.gas")?;
     let seal = section(document, "seal", SEAL)?.map(|seal| Seal { gas, ..seal });
-    let of_seal = seal.and_then(|seal| seal.area()).filter(|_| !document.has("nominal_area"));
+    let of_seal = seal.and_then(|seal| seal.area());
     let nominal_area = match curvature {
-        None => of_seal.map_or_else(|| document.needed_number("nominal_area"), Ok)?,
+        // Without an area, the seal is refused when it is resolved.
+        None if seal.is_some() && !document.has("nominal_area") => of_seal.unwrap_or(1.0),
+        None => document.needed_number("nominal_area")?,
         Some(_) => 1.0,
     };
     let names: Vec<String> = document.get("accept")?.unwrap_or_default();

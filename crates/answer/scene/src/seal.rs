@@ -1,5 +1,7 @@
 //! A seal: the section `[seal]`.
 
+use std::f64::consts::PI;
+
 use asperity::bem::{self, Fluid, Rarefaction};
 use asperity::{ATOMIC_DISTANCE, ContactError, short};
 use serde::{Deserialize, Serialize};
@@ -110,6 +112,9 @@ impl Seal {
         let required = "no length beside perimeter (the flow crosses the width of a ring)";
         refuse(is_ring, "length", self.length, required)?;
         let width = needed("width", self.width, OUTLINE)?;
+        let required = "below perimeter/pi, the diameter of the ring";
+        let is_wide = self.perimeter.is_some_and(|perimeter| width >= perimeter / PI);
+        refuse(is_wide, "width", Some(width), required)?;
         let width_over_length = match self.perimeter {
             Some(perimeter) => perimeter / width,
             None => width / needed("length", self.length, OUTLINE)?,
@@ -264,7 +269,14 @@ mod tests {
         assert_eq!(fields(&both), (1e-4, vec!["nominal_area".into()]));
         let (area, found) = fields(&both.replace("nominal_area = 1e-4", ""));
         assert!((area / 2e-4 - 1.0).abs() < 1e-12 && found.is_empty(), "{found:?}");
-        assert_eq!(fields(&both.replace("2 mm", "2 m")).1, ["seal.width", "nominal_area"]);
+        // A ring is wider than its width.
+        let wide = parse(&both.replace("2 mm", "40 mm"), Path::new(".")).unwrap_err();
+        assert_eq!(wide.place().unwrap().field, "seal.width");
+        let long = both.replace("perimeter = 0.1", "perimeter = 100");
+        assert_eq!(fields(&long).1, ["seal.perimeter", "nominal_area"]);
+        let open = both.replace("nominal_area = 1e-4", "").replace("width = \"2 mm\"", "");
+        let missing = parse(&open, Path::new(".")).unwrap_err();
+        assert_eq!(missing.place().unwrap().field, "seal.width");
         // Numbers of a seal may be ranges and are replaced, and its area follows.
         let range = both.replace("nominal_area = 1e-4", "").replace("\"2 mm\"", "[1e-3, 4e-3]");
         let points = parse(&range, Path::new(".")).unwrap().points().unwrap();

@@ -17,6 +17,7 @@ const LARGE_PATCH: &str =
     "bodies are taken as half spaces with parabolic surfaces, which needs a small patch";
 const YIELDS_BELOW: &str = "the bodies yield below the surface, and here they stay elastic";
 const MERGE: &str = "contacts merge in the middle of the patch";
+const FULL: &str = "the real area exceeds the patch in its middle, which no contact does: check hardness, modulus and load";
 const NEEDS_LENGTH: &str = "set reference_length, on which it depends";
 
 /// A model of rough surfaces between curved bodies, under its own name.
@@ -245,7 +246,16 @@ impl OfBodies {
             (Code::FewContacts, few, Some((spacing / a.min(b), 1.0 / 3.0)), "", FEW_ASPERITIES),
             (Code::Patch, "patch_over_radius", Some((of_radius, 0.1)), "", LARGE_PATCH),
             (Code::Patch, "peak_pressure", peak, "Pa", YIELDS_BELOW),
-            (Code::Crowded, "central_area_fraction", central, "", MERGE),
+            match central {
+                Some((fraction, _)) if fraction > 1.0 => (
+                    Code::AreaAboveNominal,
+                    "central_area_fraction",
+                    Some((fraction, 1.0)),
+                    "",
+                    FULL,
+                ),
+                _ => (Code::Crowded, "central_area_fraction", central, "", MERGE),
+            },
         ];
         let exceeded = limits.into_iter().filter_map(|(code, field, known, unit, meaning)| {
             let (value, most) = known.filter(|(value, most)| value > most)?;
