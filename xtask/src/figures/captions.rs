@@ -8,7 +8,7 @@ use super::truth::{MOST_SEEDS, PIXELS_PER_WAVE};
 
 const TEXT: &str = include_str!("captions.txt");
 
-/// The words of a figure: its title, its paragraphs, and a line `- key: label` for a curve.
+/// The texts of a figure: a title, paragraphs, and a line `- key: label` for a curve.
 fn part(name: &str) -> Result<&'static str> {
     let start = format!("## {name}: ");
     let own = TEXT.split("\n\n").find_map(|part| part.trim().strip_prefix(&start));

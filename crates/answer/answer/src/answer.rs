@@ -1,19 +1,17 @@
 //! What is known best about a scene at loads, in the lines that a reader needs.
 
 use asperity::{
-    At, Best, BestContact, Code, Compared, ContactEngine, Datum, Described, Model, Other, Quantity,
-    Request, Separation, SeparationUnit, SolvedContact, Source, Tolerance, usual_reference,
+    At, Best, BestContact, Compared, ContactEngine, Datum, Described, Model, Other, Quantity,
+    Request, Separation, SeparationUnit, Source, Tolerance, usual_reference,
 };
 use asperity_scene::{INTERFACE, SceneFile, Shape};
 
-use crate::AnswerError;
 use crate::asked::NO_EVIDENCE;
 use crate::inquiry::{Beside, ENDS, Inquiry, column_of_end};
 use crate::models::grouped;
 use crate::number::{fixed, prefixed};
 use crate::ranges::with_ranges;
 use crate::subject::Outcome;
-use crate::truth::{Truths, uncertain};
 use crate::{Cell, Sheet, Silent, Watch};
 
 /// The mean gap, which every answer has.
@@ -239,45 +237,6 @@ fn also(best: &BestContact<Model>, at: At) -> String {
         text.push(format!("not valid here: {}", invalid.join(", ")));
     }
     text.join("; ")
-}
-
-/// The solutions of boundary elements on the scan of a scene at these loads: an input of answers.
-///
-/// # Errors
-/// A number that is known within a range, and the errors of boundary elements.
-pub fn solve(file: &SceneFile, at: &[At], watch: &dyn Watch) -> Outcome<Vec<SolvedContact>> {
-    if let Some(unknown) = file.unknowns().first() {
-        let name = &unknown.name;
-        return Err(AnswerError::from(format!(
-            "{name} has a range, and a solution holds for one value: give {name} one value, or answer without a solution"
-        )));
-    }
-    let pressures: Vec<f64> = at.iter().filter_map(|at| at.pressure(&file.scene)).collect();
-    let bem = file.bem()?;
-    let truths = Truths::solve(file, &bem, &[], &pressures, &Compared::ALL, false, watch)?;
-    if let Some((_, error)) = truths.failed.into_iter().next() {
-        return Err(error.into());
-    }
-    let solved = truths.found.into_iter().map(|truth| {
-        let codes: Vec<Code> = truth.notes.iter().map(|note| note.code).collect();
-        let uncertain = uncertain(&codes).map(Into::into);
-        SolvedContact { pressure: truth.pressure, values: truth.bem, uncertain }
-    });
-    Ok(solved.collect())
-}
-
-/// What boundary elements gave at a mean pressure \[Pa\], an input of answers: values by the names
-/// of quantities and `mean-gap`, without those that are not finite, and the codes of its notes.
-pub fn solved_contact(
-    pressure: f64,
-    value: impl Fn(&str) -> Option<f64>,
-    notes: &[String],
-) -> SolvedContact {
-    let named = ["area-fraction", "tangent", "unloading-stiffness", "mean-gap"];
-    let finite = |(name, of)| Some((of, value(name).filter(|value| value.is_finite())?));
-    let values = named.into_iter().zip(Compared::ALL).filter_map(finite).collect();
-    let codes: Vec<Code> = notes.iter().filter_map(|name| Code::named(name).ok()).collect();
-    SolvedContact { pressure, values, uncertain: uncertain(&codes).map(Into::into) }
 }
 
 /// The label of a column of an answer and its unit: the real area is a share of the nominal one.

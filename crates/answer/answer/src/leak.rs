@@ -17,13 +17,6 @@ const NEGLIGIBLE: f64 = 0.02;
 const CLOSED: &str =
     "contacts, and gaps smaller than a molecule, close every way through this scan";
 
-/// A warning of a path through gaps in which no law of flow is known.
-fn tight(field: String, gap: f64) -> Option<Finding> {
-    let advice = "gaps below 1 nm, in which no law of flow is known, carry the leak: take it as an order of magnitude";
-    let tight = Finding::warning(Code::Atomic, field, gap).unit("m").advice(advice);
-    (gap < NANOMETRE).then(|| tight.usual([NANOMETRE, f64::INFINITY]))
-}
-
 /// The seal of a scene whose leak is asked for.
 #[derive(Debug)]
 pub(crate) struct Leaking {
@@ -86,11 +79,13 @@ impl Leaking {
     /// A warning of a flow through gaps where no law is known.
     fn finding(&self, along: Direction, gap: f64, at: At) -> Option<Finding> {
         let field = format!("tightest_gap_{along}");
-        if let Some(tight) = tight(field.clone(), gap) {
-            return Some(tight.at(at));
+        if gap < NANOMETRE {
+            let advice = "gaps below 1 nm, in which no law of flow is known, carry the leak: take it as an order of magnitude";
+            let tight = Finding::warning(Code::Atomic, field, gap).unit("m").advice(advice);
+            return Some(tight.usual([NANOMETRE, f64::INFINITY]).at(at));
         }
         let Fluid::Gas(gas) = &self.seal.fluid else { return None };
-        let [inverse, upper] = self.low_and_high().map(|p| gas.inverse_knudsen(gap, p));
+        let [upper, inverse] = self.seal.pressures.map(|p| gas.inverse_knudsen(gap, p));
         // The share of the pressures at which the flow is that of the least D.
         let share = ((Gas::LEAST - inverse) / (upper - inverse)).clamp(0.0, 1.0);
         let fact = format!(
@@ -102,12 +97,6 @@ impl Leaking {
             "the flow of free molecules grows with the length of the gap, by up to a half there";
         let free = Finding::warning(Code::BeyondFit, field, inverse).fact(fact).at(at);
         (share > NEGLIGIBLE).then(|| free.advice(advice))
-    }
-
-    /// The pressures on both sides \[Pa\], the lower one first.
-    fn low_and_high(&self) -> [f64; 2] {
-        let [a, b] = self.seal.pressures;
-        [a.min(b), a.max(b)]
     }
 
     /// What the numbers of rows that end with these cells mean.

@@ -22,13 +22,14 @@ mod sheet;
 mod sliding;
 mod slip;
 mod slip_scan;
+mod solved;
 mod subject;
 mod truth;
 mod unloading;
 mod unloading_scan;
 mod watch;
 
-pub use answer::{Answer, Basis, basis, has_property, lines, solve, solved_contact, title};
+pub use answer::{Answer, Basis, basis, has_property, lines, title};
 pub use asked::{Asked, Line, NO_EVIDENCE};
 pub use bem::{Press, Pressed, half_grid};
 pub use blanks::Blanks;
@@ -50,6 +51,7 @@ pub use search::{NoEnds, Numbers, Search};
 pub use several::at_values;
 pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};
+pub use solved::{solve, solved_contact};
 pub use subject::{Subject, unit_warning};
 pub use truth::{
     ContactState, Truth, Truths, beside_table, compare_with_bem, compared, heads, truth, truth_of,

@@ -43,19 +43,18 @@ pub fn with_ranges<T, E: From<AnswerError> + Send>(
         }
         Ok(at_point)
     };
-    let fill_all = |shares: &[Vec<f64>]| {
-        let scenes = shares.iter().map(|shares| file.at(shares));
-        let scenes: Vec<SceneFile> = scenes.collect::<Result<_, _>>().map_err(AnswerError::from)?;
-        let sheets = map_runs(&scenes, 1, |one| one.iter().map(filled).collect());
+    let fill_all = |scenes: &[SceneFile]| {
+        let sheets = map_runs(scenes, 1, |one| one.iter().map(filled).collect());
         sheets.into_iter().collect::<Result<Vec<Sheet>, E>>()
     };
     let search = Search::over(&points, file.shape().is_some());
-    let mut sheets = fill_all(search.first())?;
+    let mut sheets = fill_all(&points.all[..search.first()])?;
     let answers = answers(&sheet.heads);
     let numbers = |sheet: &Sheet| numbers(sheet, &answers);
     let first = sheets.iter().map(numbers).collect();
     let found = search.ends(&numbers(sheet), first, &sought(sheet), |shares| {
-        let new = fill_all(shares)?;
+        let scenes = shares.iter().map(|shares| file.at(shares)).collect::<Result<Vec<_>, _>>();
+        let new = fill_all(&scenes.map_err(AnswerError::from)?)?;
         let numbers = new.iter().map(numbers).collect();
         sheets.extend(new);
         Ok::<_, E>(numbers)

@@ -66,10 +66,10 @@ impl Search {
         Self { first, corners, is_costly: curved }
     }
 
-    /// The points at which all numbers are needed.
+    /// How many of the points, from the first, need all numbers.
     #[must_use]
-    pub fn first(&self) -> &[Vec<f64>] {
-        &self.first
+    pub fn first(&self) -> usize {
+        self.first.len()
     }
 
     /// The smallest and the largest of each number by those at the [first](Self::first) points and
@@ -274,9 +274,9 @@ mod tests {
         );
         let file = asperity_scene::parse(&text, std::path::Path::new(".")).unwrap();
         let search = Search::over(&file.points().unwrap(), curved);
-        let mut calls = search.first().len();
+        let mut calls = search.first();
         let at = |shares: &[f64]| of.iter().map(|f| Some(f(shares[0], shares[1]))).collect();
-        let first = search.first().iter().map(|shares| at(shares)).collect();
+        let first = search.first.iter().map(|shares| at(shares)).collect();
         let middle: Numbers = at(&[0.5; 2]);
         let found = search.ends(&middle, first, &vec![[true; 2]; of.len()], |shares| {
             calls += shares.len();

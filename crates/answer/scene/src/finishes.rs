@@ -13,9 +13,8 @@ pub(crate) struct Range {
     /// The number: `ra` \[m\] (of less frequent applications by ASME B46.1 \[recalled\], twice as
     /// wide and finer where super-finished surfaces are), `rq_over_ra`, `rz_over_rq`, `slope` (over
     /// the usual one, at λ_s 2.5 µm), `slope_longer` (at a cut-off 3.2 times as long over that),
-    /// `skewness`,
-    /// `along_over_across` (slopes, by the lay), `bandwidth`, `slope_over_rz_rsm` (over 2 Rz/RSm)
-    /// or `wavelengths` (λ_s and λ_c \[m\]).
+    /// `skewness`, `along_over_across` (slopes, by the lay), `bandwidth`, `slope_over_rz_rsm` (over
+    /// 2 Rz/RSm) or `wavelengths` (λ_s and λ_c \[m\]).
     what: String,
     /// The finish, the ratio of the cut-offs λ_c/λ_s, or the largest Ra \[m\].
     of: String,

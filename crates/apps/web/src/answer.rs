@@ -2,8 +2,8 @@
 
 use asperity::recommended::JKR;
 use asperity::{
-    At, Best, Code, ContactError, Described, Finding, Findings, Model, Quantity, Request, Severity,
-    Tolerance, shortest_digits,
+    At, Best, Code, Described, Finding, Findings, Model, Quantity, Request, Severity, Tolerance,
+    shortest_digits,
 };
 use asperity_answer::{
     ADHESIVE, Answer, Asked, ENDS, Line, Numbers, OPENING, Search, column_of_end, has_property,
@@ -179,15 +179,13 @@ impl std::ops::Deref for Scenes {
 
 impl Scenes {
     pub(crate) fn of(file: &SceneFile) -> Self {
-        let made = || -> Result<Self, ContactError> {
-            let points = file.points()?;
-            let search = Search::over(&points, file.shape().is_some());
-            let first = search.first().iter().map(|shares| file.at(shares));
-            let all: Result<_, _> = [Ok(points.middle)].into_iter().chain(first).collect();
-            let has_ranges = !points.all.is_empty();
-            Ok(Self { all: all?, ranges: has_ranges.then(|| (file.clone(), search)) })
+        let Ok(points) = file.points() else {
+            return Self { all: vec![file.clone()], ranges: None };
         };
-        made().unwrap_or_else(|_| Self { all: vec![file.clone()], ranges: None })
+        let search = Search::over(&points, file.shape().is_some());
+        let ranges = (!points.all.is_empty()).then(|| (file.clone(), search.clone()));
+        let first = points.all.into_iter().take(search.first());
+        Self { all: [points.middle].into_iter().chain(first).collect(), ranges }
     }
 }
 
@@ -213,8 +211,8 @@ pub(crate) fn compile(scenes: &[SceneFile], id: &str) -> Result<Compiled, Refusa
 /// The values of a model at one load or one pressure, or the reasons why there are none.
 type Cells = Vec<Result<Known, String>>;
 
-/// The values of a model at places with their ends, and what is found about them. Ends of several
-/// places, for a picture, are not sought between those of the ranges and 64 points.
+/// The values of a model at places with their ends, and what is found about them. At several
+/// places, for a picture, the ends are those at the fixed points.
 fn values(scenes: &Scenes, compiled: &Compiled, places: &[At]) -> (Vec<Cells>, Vec<Finding>) {
     let [file, ..] = &**scenes else { return Default::default() };
     let quantities = quantities(file);

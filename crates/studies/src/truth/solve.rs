@@ -17,7 +17,7 @@ const STEP: f64 = 0.05;
 /// Heavier ones are iterated to this residual, which leaves 1e-4 in differences of gaps.
 const HEAVY_TOLERANCE: f64 = 1e-6;
 
-/// Solves what is not kept, surface by surface, and says how far it is.
+/// Solves what is not kept, surface by surface, and prints the progress.
 ///
 /// # Errors
 /// A case that cannot be solved or kept.

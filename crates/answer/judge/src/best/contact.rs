@@ -349,8 +349,8 @@ impl<M: Answering> ContactEngine for BestContact<M> {
                         let fact = format!("{} by {id}, without an interval: {reason}", of.label());
                         add(note(Code::NoEvidence, field).fact(fact));
                         let deep = self.deep(&id, at);
-                        let said = outside.map(|outside| *outside).into_iter().chain(deep);
-                        said.for_each(&mut add);
+                        outside.into_iter().for_each(|outside| add(*outside));
+                        deep.into_iter().for_each(&mut add);
                     }
                     Ok(Known { source: Source::Evidence, ends: None, .. }) => {
                         let (_, labels) = kept.get_or_insert_with(|| (reason, vec![]));
