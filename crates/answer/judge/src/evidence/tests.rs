@@ -242,7 +242,8 @@ fn families_left_out_lie_in_their_interval() {
     // Of the root mean square height.
     let off = (gaps.iter().sum::<f64>() / gaps.len() as f64).sqrt();
     println!("gaps of {} rows off by {off:.3} Sq", gaps.len());
-    assert!(gaps.len() > 200 && off < 0.04, "{off}");
+    // 0.035 of the 272 rows that had wider intervals; 36 more, of skewed surfaces, have one now.
+    assert!(gaps.len() > 300 && off < 0.05, "{off}");
 }
 
 /// Tangent and unloading stiffness are interpolated one by one, and cross where little yields.
