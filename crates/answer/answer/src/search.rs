@@ -52,6 +52,8 @@ impl NoEnds {
 pub struct Search {
     first: Vec<Vec<f64>>,
     corners: usize,
+    /// Where answers jump as the softer body changes.
+    equally_hard: Vec<[(usize, f64); 2]>,
     /// Whether each point is a solution: numbers are sought only if they exceed the ends.
     is_costly: bool,
 }
@@ -63,7 +65,7 @@ impl Search {
         let corners = points.corners().count();
         let few = if curved { corners + FEW } else { points.shares.len() };
         let first = points.shares.iter().take(few).cloned().collect();
-        Self { first, corners, is_costly: curved }
+        Self { first, corners, equally_hard: points.equally_hard(), is_costly: curved }
     }
 
     /// How many of the points, from the first, need all numbers.
@@ -97,7 +99,7 @@ impl Search {
             let before = known.shares.len();
             for seeker in seekers.iter_mut().flatten().filter(|seeker| seeker.step > STEPS[1]) {
                 match step {
-                    0 => seeker.add_corners(&mut known, self.corners),
+                    0 => seeker.add_corners(&mut known, self),
                     _ => seeker.seek(&mut known, step == 1, sought[seeker.place]),
                 }
             }
@@ -199,19 +201,25 @@ impl Seeker {
     }
 
     /// Adds the combinations of ends at which it is smallest and largest if each unknown acts
-    /// alone.
-    fn add_corners(&mut self, known: &mut Known, corners: usize) {
+    /// alone, and these with two bodies that are equally hard.
+    fn add_corners(&mut self, known: &mut Known, search: &Search) {
         let effect = |unknown: usize| -> f64 {
             let signed = |point: usize| {
                 let sign = 2.0 * known.shares[point][unknown] - 1.0;
                 known.numbers[point][self.place].map(|number| sign * number)
             };
-            (0..corners).filter_map(signed).sum()
+            (0..search.corners).filter_map(signed).sum()
         };
         let unknowns = known.shares[0].len();
         let is_rising: Vec<bool> = (0..unknowns).map(|unknown| effect(unknown) > 0.0).collect();
         for upper in [false, true] {
-            let corner = is_rising.iter().map(|rises| f64::from(*rises == upper)).collect();
+            let corner: Vec<f64> =
+                is_rising.iter().map(|rises| f64::from(*rises == upper)).collect();
+            for pair in &search.equally_hard {
+                let mut corner = corner.clone();
+                pair.iter().for_each(|(unknown, share)| corner[*unknown] = *share);
+                self.add(known.place(corner));
+            }
             self.add(known.place(corner));
         }
     }

@@ -257,6 +257,36 @@ fn draws_from_the_ranges_lie_between_the_ends() {
 }
 
 /// An area above the nominal one at an end is found.
+/// AF takes the elastic constants of the softer body, so that areas jump where it changes.
+#[test]
+fn ends_are_those_of_either_body_being_barely_softer() {
+    let scene = |first: &str, second: &str| {
+        let text = format!(
+            "nominal_area = 1e-4\n[[body]]\nyoungs_modulus = 70e9\npoissons_ratio = 0.33\n\
+             hardness = {first}\n[[body]]\nyoungs_modulus = 210e9\npoissons_ratio = 0.2\n\
+             hardness = {second}\n[surface]\nrq = 0.7e-6\nmean_slope = 0.1\nbandwidth = 10\n"
+        );
+        parse(&text, Path::new(".")).unwrap()
+    };
+    let (area, at) = (Quantity::Area, At::Pressure(PRESSURE));
+    let file = scene("[1e9, 2e9]", "[1.4e9, 2.6e9]");
+    let ([_, lower, upper], _) = ends_at(&file, "af", area, at);
+    let of = |first: f64, second: f64| {
+        let file = scene(&format!("{first:e}"), &format!("{second:e}"));
+        let request = Request::new([area, Quantity::Force]);
+        let contact = file.model("af").unwrap().compile(&file.scene, &request).unwrap();
+        contact.evaluate(area, at).unwrap().value()
+    };
+    let barely = 1.0 - 1e-6;
+    let pairs = [1.4e9, 2e9].map(|hard| [[hard, hard * barely], [hard * barely, hard]]);
+    let found: Vec<f64> = pairs.concat().into_iter().map(|[a, b]| of(a, b)).collect();
+    assert!(found.iter().all(|one| (0.999 * lower..=1.001 * upper).contains(one)), "{found:?}");
+    // The jump is an end.
+    assert!((found[3] / found[2] - 1.0).abs() > 0.005, "{found:?}");
+    let jumps = found.iter().any(|one| (one / lower - 1.0).abs() < 1e-3);
+    assert!(jumps, "{found:?} {lower} {upper}");
+}
+
 #[test]
 fn a_finding_at_an_end_is_found() {
     let soft = finished("ground", 0.8, 2e9).to_toml(&[]).unwrap();

@@ -14,6 +14,8 @@ use crate::unknown::Unknown;
 const FULL: usize = 7;
 /// The number of points inside the ranges.
 const INSIDE: usize = 64;
+/// Relative difference of two hardnesses of which one is barely smaller.
+const BARELY: f64 = 1e-6;
 /// Of a Halton sequence every 409th point is taken: neighbours of large bases are alike.
 const LEAP: usize = 409;
 
@@ -73,6 +75,28 @@ impl Points {
         }
         let corners = self.corners().count() as f64;
         sums.into_iter().map(|sum| (2.0 * sum / corners).abs()).collect()
+    }
+}
+
+impl Points {
+    /// Pairs of an unknown and its share of its range at which one of two bodies is barely softer
+    /// than the other, at both ends of what their ranges of hardness have in common: answers jump
+    /// there, as they follow from the softer body.
+    #[must_use]
+    pub fn equally_hard(&self) -> Vec<[(usize, f64); 2]> {
+        let place = |name: &str| self.unknowns.iter().position(|one| one.name == name);
+        let Some(of) = place("body1_hardness").zip(place("body2_hardness")) else { return vec![] };
+        let of = <[usize; 2]>::from(of);
+        let both = of.map(|k| &self.unknowns[k]);
+        let lower = both[0].ends[0].max(both[1].ends[0]);
+        let upper = both[0].ends[1].min(both[1].ends[1]);
+        let at =
+            |end: f64, factors: [f64; 2]| [0, 1].map(|k| (of[k], both[k].share(end * factors[k])));
+        let ends = [(lower, 1.0 + BARELY), (upper, 1.0 - BARELY)];
+        let pairs = ends
+            .into_iter()
+            .flat_map(|(end, other)| [at(end, [1.0, other]), at(end, [other, 1.0])]);
+        if lower < upper { pairs.collect() } else { vec![] }
     }
 }
 

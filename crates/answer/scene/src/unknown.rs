@@ -58,6 +58,14 @@ impl Unknown {
         }
     }
 
+    /// The share of an open range at a number within it.
+    pub(crate) fn share(&self, number: f64) -> f64 {
+        match self.ends {
+            [lower, upper] if lower > 0.0 => (number / lower).ln() / (upper / lower).ln(),
+            [lower, upper] => (number - lower) / (upper - lower),
+        }
+    }
+
     /// The number in the middle of the range.
     #[must_use]
     pub fn middle(&self) -> f64 {
