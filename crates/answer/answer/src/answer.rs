@@ -203,7 +203,6 @@ pub fn basis(best: &BestContact<Model>, quantities: &[Quantity], at: At) -> Basi
     let asked = quantities.iter().copied().map(Some).chain([None]);
     let interval = asked.into_iter().find_map(|one| best.interval_at(one, at));
     by.extend(interval.map(|interval| format!("between from and to: {}", interval.of)));
-    by.extend(best.not_used(at).map(|why| format!("the solution on this scan is not used: {why}")));
     let (by, widest, also) = (by.join("; "), String::new(), also(best, at));
     Basis { by, widest, also }
 }

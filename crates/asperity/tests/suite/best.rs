@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 
 use asperity::{
-    At, Best, BestContact, Code, Compared, Contact, ContactError, ContactModel, Datum, Described,
-    Evidence, Interface, Model, ProfileMoments, Quantity, Request, Scene, SeparationUnit,
-    SolvedContact, Source, Surface, Tolerance,
+    At, Best, BestContact, Code, Compared, Contact, ContactEngine, ContactError, ContactModel,
+    Datum, Described, Evidence, Interface, Model, ProfileMoments, Quantity, Request, Scene,
+    SeparationUnit, SolvedContact, Source, Surface, Tolerance,
 };
 
 const ASKED: [Quantity; 5] = [
@@ -185,6 +185,10 @@ fn without_evidence_the_first_valid_model_answers_without_an_interval() {
     let notes = contact.notes(&[at]);
     assert_eq!(notes[0].code, Code::NoEvidence);
     assert!(notes[0].message().contains("alpha"), "{}", notes[0].message());
+    let noted = |scene: &Scene| best(scene).notes(&[at]).iter().any(|n| n.code == Code::NoHardness);
+    let mut elastic = broad.clone();
+    elastic.interface.hardness = None;
+    assert!(noted(&elastic) && !noted(&broad));
     // Contacts that merge are answered by a theory of the whole surface.
     let soft = Scene::new(Interface::elastic(1e6, 0.5), scene(3e8).surface, 1e-4);
     let merged = best(&soft).known(Compared::Area, At::Pressure(1e6)).unwrap();
@@ -217,6 +221,10 @@ fn what_was_solved_on_the_scan_is_an_input_of_the_answer() {
     let few = solved(Some("too few patches"));
     assert_eq!(few.known(Compared::Area, at).unwrap().source, Source::Evidence);
     assert_eq!(few.not_used(at), Some("too few patches"));
+    let noted = |best: &BestContact<Model>| {
+        best.notes(&[at]).iter().any(|note| note.code == Code::SolutionNotUsed)
+    };
+    assert!(noted(&few) && !noted(&certain));
 }
 
 #[test]

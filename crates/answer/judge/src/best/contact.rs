@@ -8,8 +8,8 @@ use super::counted::Counted;
 use super::model::{Answering, Best, SolvedContact};
 use crate::evidence::{Compared, Evidence, ExpectedContact};
 use asperity_core::{
-    At, Code, Contact, ContactEngine, ContactError, ContactModel, Datum, Evaluation, Finding,
-    Interval, Quantity, Request, Scene, Separation, SeparationUnit, Tolerance, short,
+    At, Contact, ContactEngine, ContactError, ContactModel, Datum, Evaluation, Finding, Interval,
+    Quantity, Request, Scene, Separation, SeparationUnit, Tolerance, short,
 };
 
 /// Bound on the relative rounding of an expected value: the covariance of the solved cases has a
@@ -326,48 +326,7 @@ impl<M: Answering> ContactEngine for BestContact<M> {
     }
 
     fn notes(&self, at: &[At]) -> Vec<Finding> {
-        let mut found: Vec<Finding> = vec![];
-        let mut add = |new: Finding| {
-            let known = |one: &Finding| one.code == new.code && one.field == new.field;
-            if !found.iter().any(known) {
-                found.push(new);
-            }
-        };
-        let note = |code, field| Finding::note(code, field, f64::NAN).of_model(Best::<M>::ID);
-        let behind = self.request.quantities.iter().filter_map(|q| Compared::behind(*q));
-        for &at in at {
-            let place = self.place(at);
-            if place.expected.as_ref().is_ok_and(|expected| expected.extrapolated) {
-                let fact = "the load is below the lightest solved one, whose ratios to the nearest model are kept";
-                add(note(Code::Extrapolated, "load").fact(fact));
-            }
-            let mut kept: Option<(String, Vec<&str>)> = None;
-            for of in behind.clone() {
-                let (field, reason) = self.why(of, at);
-                match self.known(of, at) {
-                    Ok(Known { source: Source::Model(id, outside), .. }) => {
-                        let fact = format!("{} by {id}, without an interval: {reason}", of.label());
-                        add(note(Code::NoEvidence, field).fact(fact));
-                        let deep = self.deep(&id, at);
-                        outside.into_iter().for_each(|outside| add(*outside));
-                        deep.into_iter().for_each(&mut add);
-                    }
-                    Ok(Known { source: Source::Evidence, ends: None, .. }) => {
-                        let (_, labels) = kept.get_or_insert_with(|| (reason, vec![]));
-                        if !labels.contains(&of.label()) {
-                            labels.push(of.label());
-                        }
-                    }
-                    _ => {}
-                }
-            }
-            if let Some((reason, labels)) = kept {
-                let fact = "the ratio to the nearest model is kept, without an interval";
-                let fact = format!("{}: {reason}; {fact}", labels.join(", "));
-                add(note(Code::Extrapolated, "pressure").fact(fact));
-            }
-        }
-        found
+        self.findings(at)
     }
 }
 

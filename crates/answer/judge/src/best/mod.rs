@@ -8,6 +8,7 @@ mod counted;
 mod expected;
 mod load;
 mod model;
+mod notes;
 
 pub use self::choice::Other;
 pub use self::contact::{BestContact, Known, Source};

@@ -1,0 +1,70 @@
+//! Findings about what is known best: what the answer rests on.
+
+use super::contact::{BestContact, Known, Source};
+use super::model::{Answering, Best};
+use crate::evidence::Compared;
+use asperity_core::{At, Code, Finding};
+
+/// Elastic bodies that hardly yield, as of rubber, have a lower modulus \[Pa\].
+const SOFTEST_METAL: f64 = 1e9;
+
+impl<M: Answering> BestContact<M> {
+    /// What a reader of the answers at these places should know.
+    pub(super) fn findings(&self, at: &[At]) -> Vec<Finding> {
+        let mut found: Vec<Finding> = vec![];
+        let mut add = |new: Finding| {
+            let known = |one: &Finding| one.code == new.code && one.field == new.field;
+            if !found.iter().any(known) {
+                found.push(new);
+            }
+        };
+        let note = |code, field| Finding::note(code, field, f64::NAN).of_model(Best::<M>::ID);
+        let behind = self.request.quantities.iter().filter_map(|q| Compared::behind(*q));
+        let interface = &self.scene.interface;
+        if interface.softer_hardness().is_none() && interface.equivalent_modulus > SOFTEST_METAL {
+            let fact = "no body has a hardness, and the contacts are taken as elastic";
+            let found = Finding::warning(Code::NoHardness, "hardness", f64::NAN).fact(fact);
+            let advice =
+                "set hardness, yield_strength or material of the bodies, unless they do not yield";
+            add(found.advice(advice).of_model(Best::<M>::ID));
+        }
+        for &at in at {
+            let place = self.place(at);
+            if let Some(why) = self.not_used(at) {
+                let fact = format!("the solution on this scan is not used: {why}");
+                let found = Finding::warning(Code::SolutionNotUsed, "solution", f64::NAN);
+                add(found.fact(fact).of_model(Best::<M>::ID));
+            }
+            if place.expected.as_ref().is_ok_and(|expected| expected.extrapolated) {
+                let fact = "the load is below the lightest solved one, whose ratios to the nearest model are kept";
+                add(note(Code::Extrapolated, "load").fact(fact));
+            }
+            let mut kept: Option<(String, Vec<&str>)> = None;
+            for of in behind.clone() {
+                let (field, reason) = self.why(of, at);
+                match self.known(of, at) {
+                    Ok(Known { source: Source::Model(id, outside), .. }) => {
+                        let fact = format!("{} by {id}, without an interval: {reason}", of.label());
+                        add(note(Code::NoEvidence, field).fact(fact));
+                        let deep = self.deep(&id, at);
+                        outside.into_iter().for_each(|outside| add(*outside));
+                        deep.into_iter().for_each(&mut add);
+                    }
+                    Ok(Known { source: Source::Evidence, ends: None, .. }) => {
+                        let (_, labels) = kept.get_or_insert_with(|| (reason, vec![]));
+                        if !labels.contains(&of.label()) {
+                            labels.push(of.label());
+                        }
+                    }
+                    _ => {}
+                }
+            }
+            if let Some((reason, labels)) = kept {
+                let fact = "the ratio to the nearest model is kept, without an interval";
+                let fact = format!("{}: {reason}; {fact}", labels.join(", "));
+                add(note(Code::Extrapolated, "pressure").fact(fact));
+            }
+        }
+        found
+    }
+}
