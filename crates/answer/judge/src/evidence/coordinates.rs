@@ -98,14 +98,34 @@ impl SurfaceShape {
     }
 }
 
+/// What is known of a spectrum beyond its bandwidth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Spectrum {
+    /// A power law with a Hurst exponent near that of the solved surfaces.
+    Like,
+    /// A power law with another exponent, or of no scan.
+    Unlike,
+    /// That of a scan, which follows no power law.
+    Irregular,
+}
+
+impl Spectrum {
+    fn of(shape: Option<SurfaceShape>) -> Self {
+        match shape.map(|shape| shape.hurst) {
+            Some(Some(hurst)) if hurst >= LEAST_HURST => Self::Like,
+            Some(None) => Self::Irregular,
+            _ => Self::Unlike,
+        }
+    }
+}
+
 /// A surface, a material and a load in the coordinates of the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Coordinates {
     /// m₀ m₄/m₂².
     pub(crate) alpha: f64,
     pub(crate) shape: SurfaceShape,
-    /// Whether the Hurst exponent is known to be near that of the solved surfaces.
-    pub(crate) like: bool,
+    pub(crate) spectrum: Spectrum,
     /// ψ; 0 without a hardness.
     pub(crate) index: f64,
     /// E g/H; 0 without a hardness. It decides how much yields: ψ holds the bandwidth, too.
@@ -140,7 +160,7 @@ impl Coordinates {
         Ok(Self {
             alpha: moments.bandwidth(),
             shape: shape.unwrap_or_default().rounded(),
-            like: shape.and_then(|shape| shape.hurst).is_some_and(|hurst| hurst >= LEAST_HURST),
+            spectrum: Spectrum::of(shape),
             index: index.unwrap_or(0.0),
             strain: asperity.hardness.map_or(0.0, |hardness| unit / hardness),
             load: positive("pressure", pressure)? / unit,
@@ -156,7 +176,8 @@ impl Coordinates {
         let contacts = CONTACTS_PER_PATCH * case.patches.max(1) as f64 / surfaces;
         let shape = SurfaceShape::new(skewness, [slope_ratio, 1.0]);
         let (strain, load) = (strain(alpha, index)?, case.load);
-        Ok(Self { alpha, shape, like: false, index, strain, load, contacts, surfaces })
+        let spectrum = Spectrum::Unlike;
+        Ok(Self { alpha, shape, spectrum, index, strain, load, contacts, surfaces })
     }
 
     pub(crate) fn same_family(&self, other: &Self) -> bool {

@@ -2,7 +2,7 @@
 
 use crate::evidence::Evidence;
 use crate::evidence::case::{Compared, EvidenceCase};
-use crate::evidence::coordinates::Coordinates;
+use crate::evidence::coordinates::{Coordinates, Spectrum};
 use crate::evidence::process::{ELASTIC, NARROWEST, Process, SolvedValue, Spread};
 
 /// Half width of an interval that holds nine of ten values, in standard deviations: more than the
@@ -106,9 +106,12 @@ struct Scatter {
     few: f64,
     /// Of a surface with few long waves, times the square root of their number.
     waves: f64,
-    /// Between spectra of one bandwidth per unit of ln α, with a Hurst exponent like that of the
-    /// solved ones and with another one, and the power with which it falls under heavy loads.
+    /// Between spectra of one bandwidth per unit of ln α: with a Hurst exponent like that of the
+    /// solved ones, with another one, and of scans that follow no power law, of which few were
+    /// solved.
     spectrum: [f64; 3],
+    /// The power with which the first two fall under heavy loads.
+    fading: f64,
     /// The same of what light loads add, which the highest asperities carry.
     light: f64,
     /// Between skewed families, per unit of skewness.
@@ -119,7 +122,8 @@ const OF_AREA: Scatter = Scatter {
     sample: [0.44, 0.15],
     few: 0.0,
     waves: 0.0,
-    spectrum: [0.002, 0.012, 0.3],
+    spectrum: [0.006, 0.012, 0.05],
+    fading: 0.3,
     light: 0.015,
     skewness: 0.055,
 };
@@ -127,7 +131,8 @@ const OF_STIFFNESS: Scatter = Scatter {
     sample: [0.8, 0.35],
     few: FEW,
     waves: 0.3,
-    spectrum: [0.006, 0.05, 1.0],
+    spectrum: [0.02, 0.05, 0.07],
+    fading: 1.0,
     light: 0.03,
     skewness: 0.03,
 };
@@ -135,7 +140,8 @@ const OF_GAP: Scatter = Scatter {
     sample: [0.4, 1.0],
     few: 0.5,
     waves: 0.22,
-    spectrum: [0.002, 0.04, 0.15],
+    spectrum: [0.01, 0.04, 0.05],
+    fading: 0.15,
     light: 0.0,
     skewness: 0.02,
 };
@@ -151,11 +157,15 @@ fn scatter(quantity: Compared, place: &Coordinates) -> f64 {
     let contacts = place.contacts * place.surfaces;
     // Contacts of a lay come in rows.
     let [sample, falls] = of.sample;
-    let sample = sample / (contacts / place.shape.slope_ratio.sqrt()).sqrt() / heavy.powf(falls);
+    let sample = sample / (contacts / place.shape.slope_ratio).sqrt() / heavy.powf(falls);
     let sample = sample.hypot(of.few / place.contacts);
     let waves = of.waves * (place.load * place.alpha / contacts).sqrt();
-    let [like, unlike, falls] = of.spectrum;
-    let spectrum = if place.like { like } else { unlike } / heavy.powf(falls);
+    let [like, unlike, irregular] = of.spectrum;
+    let spectrum = match place.spectrum {
+        Spectrum::Like => like / heavy.powf(of.fading),
+        Spectrum::Unlike => unlike / heavy.powf(of.fading),
+        Spectrum::Irregular => irregular,
+    };
     let broad = (place.alpha / NARROWEST).ln();
     let [heavier, lighter] = LIGHT;
     let light = ((heavier / place.load).ln() / (heavier / lighter).ln()).clamp(0.0, 1.0);

@@ -120,6 +120,7 @@ fn noise([a, b]: [&SolvedValue; 2], spread: Spread, same: bool) -> f64 {
 mod tests {
     use super::*;
     use crate::SurfaceShape;
+    use crate::evidence::coordinates::Spectrum;
 
     fn solved_value(alpha: f64, load: f64, value: f64) -> SolvedValue {
         let shape = SurfaceShape::default();
@@ -127,7 +128,7 @@ mod tests {
         let place = Coordinates {
             alpha,
             shape,
-            like: false,
+            spectrum: Spectrum::Unlike,
             index: 0.0,
             strain: 0.0,
             load,

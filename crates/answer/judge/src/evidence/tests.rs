@@ -47,7 +47,7 @@ fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
     let [mut areas, mut inside_area, mut stiffnesses, mut inside] = [0.0; 4];
     for case in evidence.cases().iter().filter(|case| case.skewness == 0.0).step_by(3) {
         let scene = scene(case.alpha, case.plasticity_index);
-        let shape = SurfaceShape::new(0.0, [case.slope_ratio, 1.0]);
+        let shape = SurfaceShape::new(0.0, [case.slope_ratio, 1.0]).with_hurst(Some(0.8));
         let pressure = case.load * unit();
         let found = evidence.expected(&scene, Some(shape), pressure, None).unwrap();
         let area = found.estimate(Compared::Area).unwrap();
