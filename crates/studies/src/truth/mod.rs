@@ -15,7 +15,6 @@ mod rows;
 pub mod scans;
 mod solve;
 pub mod world;
-mod yielded;
 
 use std::path::PathBuf;
 
@@ -50,7 +49,6 @@ pub fn write(solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
         ("", Some(ranges::table(&evidence))),
         ("-ordinary", ordinary::table(&evidence, &kept)?),
         ("-shapes", Some(feeding::table(&evidence)?)),
-        ("-yielded", Some(yielded::table(&evidence)?)),
         ("-scans", Some(scans::table(&evidence, &scans::read()?)?)),
     ];
     let named = |(name, table): (&str, Option<String>)| Some((format!("truth{name}.md"), table?));
