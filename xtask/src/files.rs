@@ -24,7 +24,7 @@ fn fresh(folder: &Path, (name, table, style): &FigureSpec) -> Result<[Fresh; 2]>
     Ok([(format!("{name}.csv"), csv), (format!("{name}.svg"), svg)])
 }
 
-/// The figures whose names begin so. Without names, all of them, and the pictures of the report,
+/// The figures whose names begin so. Without names, all of them, and the picture of the report,
 /// drawn from its committed measurements.
 fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
     if let Some(name) = names.iter().find(|n| !FIGURES.iter().any(|f| f.0.starts_with(**n))) {
@@ -36,7 +36,7 @@ fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
     let figures = FIGURES.par_iter().filter(wanted).map(|spec| fresh(folder, spec));
     let mut all = figures.collect::<Result<Vec<_>>>()?.concat();
     if names.is_empty() {
-        all.extend(measured::pictures(folder)?);
+        all.push(measured::picture(folder)?);
         let text = |name: &str| {
             let found = all.iter().find(|(file, _)| *file == format!("{name}.csv"));
             found.map(|(_, text)| text.as_str()).with_context(|| name.to_owned())

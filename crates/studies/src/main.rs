@@ -14,7 +14,7 @@ use clap::Parser;
 #[derive(Parser)]
 #[command(name = "cargo xtask")]
 enum Study {
-    /// Measure times and errors: figures/speed-vs-error.*, speed-curved.md, hard-cases.csv
+    /// Measure times and errors: figures/speed-vs-error.*, speed-curved.md
     Report {
         /// Only curved bodies: figures/speed-curved.md
         #[arg(long)]

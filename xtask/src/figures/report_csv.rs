@@ -1,4 +1,4 @@
-//! The tables of the report, `speed-vs-error.csv` and `hard-cases.csv`, as they are read.
+//! The table of the report, `speed-vs-error.csv`, as it is read.
 
 use serde::{Deserialize, Serialize};
 
@@ -20,13 +20,6 @@ pub struct Row {
     /// Mean number of evaluations.
     pub evaluations: String,
 }
-
-/// The columns before the methods'.
-pub const BEFORE: [&str; 6] =
-    ["family", "case", "heights", "model", "quantity", "separation_over_sigma"];
-
-/// The family of the ordinary scenes.
-pub const ORDINARY: &str = "ordinary";
 
 /// The median; `None` without numbers.
 #[must_use]

@@ -35,7 +35,6 @@ mod legend;
 mod looks;
 #[cfg(feature = "scan")]
 mod map;
-mod matrix;
 mod panel;
 mod ruler;
 #[cfg(feature = "scan")]
@@ -53,7 +52,6 @@ pub use figure::{Axis, Between, Figure, Legend, Mark, Panel, Scale, Strip};
 pub use looks::{MEASURED, look_of};
 #[cfg(feature = "scan")]
 pub use map::{Map, draw_map, map_png};
-pub use matrix::{Matrix, MatrixCell, draw_matrix};
 #[cfg(feature = "scan")]
 pub use scan::{caption_of_surface, draw_material_ratio, draw_surface};
 pub use style::Curve;

@@ -89,11 +89,11 @@ impl External {
     }
 }
 
-/// One line: tolerance, repeats, s, slope, exponential, scale, the breaks, the parts.
+/// One line: tolerance, repeats, s, slope, scale, the breaks, the parts.
 fn line((tolerance, repeats, problem): &Task) -> Result<String> {
-    let [slope, exponential] = [problem.slope(), problem.exponential()].map(u8::from);
-    let (s, scale, breaks) = (problem.separation, problem.scale(), problem.breaks());
-    let mut line = format!("{tolerance:e} {repeats} {s:e} {slope} {exponential} {scale:e}");
+    let (slope, breaks) = (u8::from(problem.slope()), problem.breaks());
+    let (s, scale) = (problem.separation, problem.scale());
+    let mut line = format!("{tolerance:e} {repeats} {s:e} {slope} {scale:e}");
     write!(line, " {}", breaks.len())?;
     breaks.iter().try_for_each(|t| write!(line, " {t:e}"))?;
     write!(line, " {}", problem.law.parts.len())?;

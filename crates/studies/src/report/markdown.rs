@@ -42,7 +42,7 @@ pub fn text(speed: &str, libraries: &[External], machine: &str) -> Result<String
     let mut text = format!(
         "# Speed against error
 
-Written by `cargo xtask report`; measured on {machine}. Times are medians of one process and one run, on the same 56 points for every method: d/σ_z from -1 to 6, w_c/σ_z from 0.003 to 3. Errors are the worst on the hard cases with Gaussian heights, d/σ_z from -3 to 40 and w_c/σ_z from 1e-8 to 1e4 (tests/reference/hard_cases.csv), relative to the sum of the absolute values of the parts. speed-vs-error.csv holds all settings, hard-cases.csv every hard case. Errors and evaluations do not depend on the machine and are guarded by tests; times do and are not.
+Written by `cargo xtask report`; measured on {machine}. Times are medians of one process and one run, on the same 56 points for every method: d/σ_z from -1 to 6, w_c/σ_z from 0.003 to 3. Errors are the worst on the hard cases with Gaussian heights, d/σ_z from -3 to 40 and w_c/σ_z from 1e-8 to 1e4 (tests/reference/hard_cases.csv), relative to the sum of the absolute values of the parts. speed-vs-error.csv holds all settings. Errors and evaluations do not depend on the machine and are guarded by tests; times do and are not.
 
 ## Time and worst error
 

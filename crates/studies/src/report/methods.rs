@@ -55,8 +55,6 @@ pub const METHODS: [(Method, &str, &str); 8] = [
 
 /// The tolerance on the hard cases, of methods that have one.
 pub const HARD_TOLERANCE: f64 = 1e-10;
-/// Points per panel on the hard cases.
-const HARD_POINTS: usize = 128;
 /// Largest number of evaluations for one integral.
 const LIMIT: usize = 20_000;
 
@@ -69,12 +67,6 @@ impl Method {
             Self::Legendre64 | Self::Trapezoid | Self::Simpson => vec![Setting::Fixed],
             _ => tolerances.iter().copied().map(Setting::Tolerance).collect(),
         }
-    }
-
-    /// The setting on the hard cases, where each method runs once.
-    #[must_use]
-    pub fn on_hard_cases(self) -> Setting {
-        self.settings(&[HARD_TOLERANCE], &[HARD_POINTS])[0]
     }
 
     /// Prepares a problem.
@@ -128,7 +120,7 @@ impl Method {
         };
         let problem = problem.clone();
         Box::new(move || {
-            let (start, width) = (problem.plain_start(), sigmas * problem.std());
+            let (start, width) = (problem.separation * problem.std(), sigmas * problem.std());
             let terms = rule.iter().map(|(x, w)| w * problem.plain_integrand(start + width * x));
             let value = problem.in_units(width * terms.sum::<f64>());
             let found = Outcome { value, scaled: false, evaluations: Some(rule.len()) };

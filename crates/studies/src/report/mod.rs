@@ -1,9 +1,8 @@
 //! `cargo xtask report`: speed and accuracy of the integrals, compared with other methods.
 //!
 //! Times, errors and numbers of evaluations of every method on the same points, in one process and
-//! one run: `speed-vs-error.{csv,md}`; the failures of each method: `hard-cases.csv`; and
-//! contacts of rough spheres: `speed-curved.md`. Errors and counts are reproducible and guarded
-//! by tests; times are not.
+//! one run: `speed-vs-error.{csv,md}`; and contacts of rough spheres: `speed-curved.md`. Errors and
+//! counts are reproducible and guarded by tests; times are not.
 
 mod cases;
 mod curved;
@@ -33,11 +32,9 @@ pub fn write(of_curved: bool) -> Result<Vec<PathBuf>> {
     }
     let workshop = tempfile::tempdir()?;
     let libraries = external::find(workshop.path())?;
-    let (speed, hard) = tables::write(&tables::pairs(), true, &libraries)?;
+    let speed = tables::write(&tables::pairs(), true, &libraries)?;
     let text = markdown::text(&speed, &libraries, &machine)?;
-    let tables =
-        [("speed-vs-error.md", text), ("speed-vs-error.csv", speed), ("hard-cases.csv", hard)];
-    let tables = tables.map(|(name, text)| (name.to_owned(), text));
+    let tables = [("speed-vs-error.md", text), ("speed-vs-error.csv", speed)].map(|(name, text)| (name.to_owned(), text));
     save(&figures_folder(), tables.into_iter().chain([spheres]))
 }
 

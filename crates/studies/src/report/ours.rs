@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use asperity::{Contact, HeightDistribution, Law, Model, Quantity, Request, Tolerance};
+use asperity::{Contact, Law, Model, Quantity, Request, Tolerance};
 use asperity_quadrature::{AnyScale, QuadratureError};
 
 use super::problem::{
@@ -81,7 +81,6 @@ impl Laws {
 pub fn compiled(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
     let (quantity, separation) = (problem.quantity, problem.separation);
     let compiled = laws.scene(problem, tolerance)?;
-    // Exponential heights have one integral for all separations.
     let request = Request::new([quantity]).within(Tolerance::new(tolerance)?).at([separation]);
     let plan = compiled.plan(&request)?;
     let step = plan.steps.iter().find(|step| step.quantities.contains(&quantity));
@@ -94,9 +93,6 @@ pub fn compiled(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
 
 /// A value on a scene that is not compiled, as in sweeps.
 pub fn rule(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
-    if !matches!(problem.scene.heights, HeightDistribution::Gaussian) {
-        return compiled(laws, problem, tolerance);
-    }
     let rules = laws.rules(problem, tolerance)?;
     let (scale, s, slope) = (problem.scale(), problem.separation, problem.slope());
     let factor = problem.in_units(1.0);

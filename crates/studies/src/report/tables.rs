@@ -1,21 +1,20 @@
-//! The two tables: times, errors and evaluations of every method and setting, and the errors on
-//! each hard case.
+//! The table: times, errors and evaluations of every method and setting.
 
 use std::hint::black_box;
 use std::sync::Arc;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Result, ensure};
 use asperity::{Model, Quantity};
 use rayon::prelude::*;
 
 use super::cases::{self, Case};
 use super::external::{self, External};
-use super::methods::{HARD_TOLERANCE, METHODS, Method, Setting};
+use super::methods::{METHODS, Method, Setting};
 use super::ours::{self, Laws};
 use super::problem::{
     Failure, INTEGRALS, Job, Problem, ZERO, integrated, is_slope, points, tightest,
 };
-use xtask::figures::report_csv::{BEFORE, Row};
+use xtask::figures::report_csv::Row;
 
 /// Loosest first.
 const TOLERANCES: [f64; 7] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-10, 1e-11, 1e-13];
@@ -61,16 +60,12 @@ fn row(
     }
 }
 
-/// `speed-vs-error.csv` and `hard-cases.csv`; with times and the cost of building if they are
-/// taken, and of other libraries.
+/// `speed-vs-error.csv`; with times and the cost of building if they are taken, and of other
+/// libraries.
 ///
 /// # Errors
 /// When the library refuses a case, or another library's process fails.
-pub fn write(
-    pairs: &[(Model, Quantity)],
-    timed: bool,
-    libraries: &[External],
-) -> Result<(String, String)> {
+pub fn write(pairs: &[(Model, Quantity)], timed: bool, libraries: &[External]) -> Result<String> {
     let laws = Laws::default();
     let cases = cases::read(&laws, pairs)?;
     let run = Run { laws, cases, timed, libraries };
@@ -81,7 +76,7 @@ pub fn write(
         }
         run.rows(pair)?.iter().try_for_each(|row| csv.serialize(row))?;
     }
-    Ok((String::from_utf8(csv.into_inner()?)?, run.hard()?))
+    Ok(String::from_utf8(csv.into_inner()?)?)
 }
 
 struct Run<'a> {
@@ -98,8 +93,7 @@ impl Run<'_> {
         let integral = |quantity| (integrated(model, quantity), is_slope(model, quantity));
         let wanted = |case: &&Case| {
             let Problem { model: other, quantity: of_case, .. } = &*case.problem;
-            let same = integral(*of_case) == integral(*quantity);
-            case.on_hard_grid() && other.id() == model.id() && same
+            integral(*of_case) == integral(*quantity) && other.id() == model.id()
         };
         self.cases.iter().filter(wanted).collect()
     }
@@ -153,40 +147,6 @@ impl Run<'_> {
         let errors = errors.collect::<Result<Vec<Worst>>>()?;
         let counts = jobs.iter().filter_map(|job| job().ok()?.evaluations);
         Ok((time, Some(errors.into_iter().fold(Ok(0.0), worse)), mean(counts)))
-    }
-
-    /// `hard-cases.csv`: a row for each case and a column for each method, with errors relative to
-    /// the sum of sizes, failures, or empty cells for cases that a method cannot integrate.
-    fn hard(&self) -> Result<String> {
-        let mut columns: Vec<(&str, Vec<String>)> = vec![];
-        for (method, name, _) in METHODS {
-            let error = |case: &Case| {
-                let job = method.prepare(&self.laws, &case.problem, method.on_hard_cases())?;
-                Ok(error_text(case.error(job())))
-            };
-            columns.push((name, self.cases.par_iter().map(error).collect::<Result<_>>()?));
-        }
-        for library in self.libraries {
-            let given = |case: &&Case| external::can_take(&case.problem);
-            let tasks = self.cases.iter().filter(given);
-            let tasks = tasks.map(|case| (HARD_TOLERANCE, 0, case.problem.clone()));
-            let mut answers = library.run(&tasks.collect::<Vec<_>>())?.into_iter();
-            let error = |case: &Case| match given(&case).then(|| answers.next()).flatten() {
-                Some((found, _)) => error_text(case.error(found)),
-                None => String::new(),
-            };
-            columns.push((library.name, self.cases.iter().map(error).collect()));
-        }
-        let mut csv = csv::Writer::from_writer(vec![]);
-        csv.write_record(BEFORE.into_iter().chain(columns.iter().map(|column| column.0)))?;
-        for (k, case) in self.cases.iter().enumerate() {
-            let Problem { model, quantity, scene, separation, .. } = &*case.problem;
-            let [quantity, separation] = [quantity.to_string(), separation.to_string()];
-            let heights = scene.heights.name();
-            let cells = [&*case.family, &case.name, heights, model.id(), &quantity, &separation];
-            csv.write_record(cells.into_iter().chain(columns.iter().map(|c| c.1[k].as_str())))?;
-        }
-        Ok(String::from_utf8(csv.into_inner().context("hard-cases.csv")?)?)
     }
 }
 
