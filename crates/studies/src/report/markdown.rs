@@ -115,7 +115,7 @@ fn time(row: &Row) -> Result<String> {
 }
 
 /// A time \[ns\] with a suitable unit.
-pub fn duration(ns: f64) -> String {
+fn duration(ns: f64) -> String {
     let (number, unit) = match ns {
         ns if ns < 1e3 => (ns, "ns"),
         ns if ns < 1e6 => (ns / 1e3, "µs"),

@@ -40,7 +40,7 @@ use std::f64::consts::PI;
 
 use asperity_core::{ContactError, ContactModel, Quantity, Scene, Tolerance, positive};
 
-pub use hertz::{Hertz, elliptic};
+pub use hertz::Hertz;
 pub use model::BetweenCurved;
 pub use solution::Solution;
 
