@@ -1,17 +1,16 @@
-//! Our own methods: laws and compiled scenes, each built once for all methods and points, their
-//! values, and the cost of building them.
+//! Our own methods: laws and compiled scenes, each built once for all methods and points, and their
+//! values.
 
 use std::collections::HashMap;
-use std::hint::black_box;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use asperity::{Contact, Law, Model, Quantity, Request, Tolerance};
+use asperity::{Contact, Request, Tolerance};
 use asperity_quadrature::{AnyScale, QuadratureError};
 
 use super::problem::{
-    INTEGRALS, Job, NOT_CONVERGED, Outcome, Problem, SEPARATIONS, integrated, law_behind, scenes,
+    INTEGRALS, Job, NOT_CONVERGED, Outcome, Problem, integrated, law_behind,
 };
 use xtask::figures::report_csv::median;
 
@@ -116,48 +115,6 @@ fn rule_terms(rules: &AnyScale, problem: &Problem) -> Result<usize, QuadratureEr
         }
         terms => Ok(terms),
     }
-}
-
-/// Time \[ns\] to build the law behind a quantity and its tables. Tables are filled when first
-/// sampled, so the time of sampling an existing law is subtracted.
-pub fn build_law(model: &Model, quantity: Quantity, tolerance: f64) -> Result<f64> {
-    let scenes = scenes()?;
-    let asperity = scenes[0].asperity()?;
-    let build = || law_behind(black_box(model), quantity, &asperity, tolerance);
-    let existing = build()?;
-    sample(&existing)?;
-    let sampling = median_ns(|| drop(black_box(sample(black_box(&existing)))));
-    let both = median_ns(|| drop(black_box(build().map(|law| sample(&law)))));
-    Ok((both - sampling).max(0.0))
-}
-
-/// Samples a law over the range of the speed table, x = 1e-4 to 1e4.
-fn sample(law: &Law) -> Result<f64, QuadratureError> {
-    let points = (0..=80).map(|k| 10f64.powf(f64::from(k) * 0.1 - 4.0) * law.interference_unit);
-    points.map(|w| law.value(w)).sum()
-}
-
-/// Time \[ns\] to compile a scene for all separations of the speed table, with its law built, and
-/// the number of samples of the law.
-pub fn build_scene(model: &Model, quantity: Quantity, tolerance: f64) -> Result<(f64, f64)> {
-    let scenes = scenes()?;
-    let request = Request::new([quantity]).within(Tolerance::new(tolerance)?).at(SEPARATIONS);
-    let base = model.compile(&scenes[0], &request)?;
-    let mut samples = 0;
-    for scene in &scenes {
-        // Also fills the tables of the law.
-        let plan = base.on(scene)?.plan(&request)?;
-        samples += plan.steps.iter().map(|step| step.samples).sum::<usize>();
-    }
-    let time = median_ns(|| {
-        for scene in &scenes {
-            let _ = black_box(base.on(black_box(scene)).and_then(|ready| {
-                SEPARATIONS.iter().try_for_each(|s| ready.evaluate(quantity, *s).map(|_| ()))
-            }));
-        }
-    });
-    let count = scenes.len() as f64;
-    Ok((time / count, samples as f64 / count))
 }
 
 /// Median time of one call \[ns\] over at least three batches, after two warm-up calls.

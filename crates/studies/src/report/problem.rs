@@ -161,14 +161,14 @@ fn part_at(part: &Part, x: f64) -> f64 {
 /// w_c/σ_z at which times are taken.
 const SCALES: [f64; 7] = [3e-3, 1e-2, 3e-2, 1e-1, 3e-1, 1.0, 3.0];
 /// d/σ_z at which times are taken.
-pub const SEPARATIONS: [f64; 8] = [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+const SEPARATIONS: [f64; 8] = [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
 
 /// The paper's asperity on surfaces of different roughness, one for each w_c/σ_z: the law is the
 /// same on all.
 ///
 /// # Errors
 /// Only if the paper's asperity is refused.
-pub fn scenes() -> Result<Vec<Scene>> {
+fn scenes() -> Result<Vec<Scene>> {
     let radius = 3.6e-4;
     let scene = |std: f64| Scene::new(interface(), Surface::new(radius, 1e8, std), NOMINAL_AREA);
     let critical = scene(1e-6).asperity()?.critical_interference()?;

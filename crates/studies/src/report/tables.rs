@@ -8,18 +8,16 @@ use asperity::{Model, Quantity};
 use rayon::prelude::*;
 
 use super::cases::{self, Case};
-use super::external::{self, External};
-use super::methods::{METHODS, Method, Setting};
+use super::methods::{METHODS, Method};
 use super::ours::{self, Laws};
 use super::problem::{
     Failure, INTEGRALS, Job, Problem, ZERO, integrated, is_slope, points, tightest,
 };
+use super::scipy::{Scipy, can_take};
 use xtask::figures::report_csv::Row;
 
 /// Loosest first.
 const TOLERANCES: [f64; 7] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-10, 1e-11, 1e-13];
-/// Of the rule that has a number of points.
-const POINTS: [usize; 4] = [16, 32, 64, 128];
 
 /// Every model with every integral.
 pub fn pairs() -> Vec<(Model, Quantity)> {
@@ -31,7 +29,7 @@ pub fn pairs() -> Vec<(Model, Quantity)> {
 type Worst = Result<f64, Failure>;
 
 /// Time \[ns\], worst error and mean number of evaluations of a setting.
-type Measured = (Option<f64>, Option<Worst>, Option<f64>);
+type Measured = (Option<f64>, Worst, Option<f64>);
 
 /// The larger error; a failure is worse than any error, and the failure "zero" is an error of 1.
 fn worse(a: Worst, b: Worst) -> Worst {
@@ -42,36 +40,31 @@ fn worse(a: Worst, b: Worst) -> Worst {
 fn row(
     (model, quantity): &(Model, Quantity),
     method: &str,
-    setting: Setting,
+    tolerance: Option<f64>,
     (time, worst, evaluations): Measured,
 ) -> Row {
-    let tolerance = match setting {
-        Setting::Tolerance(tolerance) => format!("{tolerance:e}"),
-        _ => String::new(),
-    };
     Row {
         model: model.id().into(),
         quantity: quantity.to_string(),
         method: method.into(),
-        tolerance,
+        tolerance: tolerance.map(|tolerance| format!("{tolerance:e}")).unwrap_or_default(),
         median_ns: time.map(significant).unwrap_or_default(),
-        max_relative_error: worst.map(error_text).unwrap_or_default(),
+        max_relative_error: worst.map_or_else(Into::into, |error| format!("{error:.1e}")),
         evaluations: evaluations.map(|count| format!("{count:.1}")).unwrap_or_default(),
     }
 }
 
-/// `speed-vs-error.csv`; with times and the cost of building if they are taken, and of other
-/// libraries.
+/// `speed-vs-error.csv`; with scipy's rows, and with times, if scipy is given.
 ///
 /// # Errors
-/// When the library refuses a case, or another library's process fails.
-pub fn write(pairs: &[(Model, Quantity)], timed: bool, libraries: &[External]) -> Result<String> {
+/// When the library refuses a case, or scipy's process fails.
+pub fn write(pairs: &[(Model, Quantity)], scipy: Option<&Scipy>) -> Result<String> {
     let laws = Laws::default();
     let cases = cases::read(&laws, pairs)?;
-    let run = Run { laws, cases, timed, libraries };
+    let run = Run { laws, cases, scipy };
     let mut csv = csv::Writer::from_writer(vec![]);
     for pair in pairs {
-        if timed {
+        if scipy.is_some() {
             eprintln!("{} {}", pair.0, pair.1);
         }
         run.rows(pair)?.iter().try_for_each(|row| csv.serialize(row))?;
@@ -82,8 +75,7 @@ pub fn write(pairs: &[(Model, Quantity)], timed: bool, libraries: &[External]) -
 struct Run<'a> {
     laws: Laws,
     cases: Vec<Case>,
-    timed: bool,
-    libraries: &'a [External],
+    scipy: Option<&'a Scipy>,
 }
 
 impl Run<'_> {
@@ -98,31 +90,24 @@ impl Run<'_> {
         self.cases.iter().filter(wanted).collect()
     }
 
-    /// The rows of our methods, of building, and of other libraries, for the laws that they can
-    /// integrate.
+    /// The rows of our methods, and of scipy for the laws that it can integrate.
     fn rows(&self, pair: &(Model, Quantity)) -> Result<Vec<Row>> {
         let (points, grid) = (points(&pair.0, pair.1)?, self.grid(pair));
         ensure!(!grid.is_empty(), "no hard case of {} {}", pair.0, pair.1);
         let mut rows = vec![];
-        let mut add = |name, setting, found: Measured| rows.push(row(pair, name, setting, found));
         let tolerances: Vec<f64> =
             TOLERANCES.into_iter().filter(|t| *t >= tightest(&pair.0)).collect();
-        for (method, name, _) in METHODS {
-            for setting in method.settings(&tolerances, &POINTS) {
-                add(name, setting, self.own((method, setting), &points, &grid)?);
+        for (method, name) in METHODS {
+            for tolerance in method.settings(&tolerances) {
+                let found = self.own((method, tolerance), &points, &grid)?;
+                rows.push(row(pair, name, tolerance, found));
             }
         }
-        for &tolerance in tolerances.iter().filter(|_| self.timed) {
-            let law = ours::build_law(&pair.0, pair.1, tolerance)?;
-            let (scene, samples) = ours::build_scene(&pair.0, pair.1, tolerance)?;
-            add("build-law", Setting::Tolerance(tolerance), (Some(law), None, None));
-            add("build-scene", Setting::Tolerance(tolerance), (Some(scene), None, Some(samples)));
-        }
-        let can_take = points.iter().all(|point| external::can_take(point));
-        for library in self.libraries.iter().filter(|_| can_take) {
+        let can_take = points.iter().all(|point| can_take(point));
+        for scipy in self.scipy.into_iter().filter(|_| can_take) {
             for &tolerance in &tolerances {
-                let found = external(library, tolerance, &points, &grid)?;
-                add(library.name, Setting::Tolerance(tolerance), found);
+                let found = by_scipy(scipy, tolerance, &points, &grid)?;
+                rows.push(row(pair, "scipy", Some(tolerance), found));
             }
         }
         Ok(rows)
@@ -130,11 +115,11 @@ impl Run<'_> {
 
     fn own(
         &self,
-        (method, setting): (Method, Setting),
+        (method, tolerance): (Method, Option<f64>),
         points: &[Arc<Problem>],
         grid: &[&Case],
     ) -> Result<Measured> {
-        let job = |problem: &Arc<Problem>| method.prepare(&self.laws, problem, setting);
+        let job = |problem: &Arc<Problem>| method.prepare(&self.laws, problem, tolerance);
         let jobs = points.iter().map(job).collect::<Result<Vec<Job>>>()?;
         // The time of a failure counts as well.
         let all = || {
@@ -142,28 +127,28 @@ impl Run<'_> {
                 let _ = black_box(black_box(job)());
             });
         };
-        let time = self.timed.then(|| ours::median_ns(all) / jobs.len() as f64);
+        let time = self.scipy.map(|_| ours::median_ns(all) / jobs.len() as f64);
         let errors = grid.par_iter().map(|case| Ok(case.error(job(&case.problem)?())));
         let errors = errors.collect::<Result<Vec<Worst>>>()?;
         let counts = jobs.iter().filter_map(|job| job().ok()?.evaluations);
-        Ok((time, Some(errors.into_iter().fold(Ok(0.0), worse)), mean(counts)))
+        Ok((time, errors.into_iter().fold(Ok(0.0), worse), mean(counts)))
     }
 }
 
-fn external(
-    library: &External,
+fn by_scipy(
+    scipy: &Scipy,
     tolerance: f64,
     points: &[Arc<Problem>],
     grid: &[&Case],
 ) -> Result<Measured> {
     let timed = points.iter().map(|point| (tolerance, 5, point.clone()));
     let errors = grid.iter().map(|case| (tolerance, 0, case.problem.clone()));
-    let answers = library.run(&timed.chain(errors).collect::<Vec<_>>())?;
+    let answers = scipy.run(&timed.chain(errors).collect::<Vec<_>>())?;
     let (timed, solved) = answers.split_at(points.len());
     let time = timed.iter().map(|(_, ns)| ns).sum::<f64>() / points.len() as f64;
     let counts = timed.iter().filter_map(|(found, _)| (*found).ok()?.evaluations);
     let errors = grid.iter().zip(solved).map(|(case, (found, _))| case.error(*found));
-    Ok((Some(time), Some(errors.fold(Ok(0.0), worse)), mean(counts)))
+    Ok((Some(time), errors.fold(Ok(0.0), worse), mean(counts)))
 }
 
 /// The mean; `None` without numbers.
@@ -173,15 +158,9 @@ fn mean(counts: impl Iterator<Item = usize>) -> Option<f64> {
 }
 
 /// A number to three significant digits.
-#[must_use]
-pub fn significant(number: f64) -> String {
+fn significant(number: f64) -> String {
     let decimals = (2.0 - number.abs().max(1e-2).log10().floor()).max(0.0) as usize;
     format!("{number:.decimals$}")
-}
-
-/// Two digits, or the name of a failure.
-fn error_text(error: Worst) -> String {
-    error.map_or_else(Into::into, |error| format!("{error:.1e}"))
 }
 
 #[cfg(test)]

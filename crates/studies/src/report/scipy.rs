@@ -1,7 +1,7 @@
-//! Libraries outside this workspace: scipy, when python3 has it, and GSL, when it is installed.
+//! scipy's `quad`, when python3 has it.
 //!
-//! Both integrate the scaled integrand, split at the kinks, like our own classical methods. They
-//! read it as numbers from standard input, which limits them to laws that are sums of powers.
+//! It integrates the scaled integrand, split at the kinks, as our adaptive rule does, and reads it
+//! as numbers from standard input, which limits it to laws that are sums of powers.
 
 use std::fmt::Write as _;
 use std::fs::File;
@@ -16,14 +16,10 @@ use super::problem::{Failure, NOT_CONVERGED, Outcome, Problem};
 use xtask::command::output;
 use xtask::folder::write as save;
 
-/// A library of this machine.
-pub struct External {
-    /// Its name as a method.
-    pub name: &'static str,
-    /// Its description.
-    pub what: String,
-    /// The program with its arguments; the last is a file of ours.
-    command: Vec<PathBuf>,
+/// scipy on this machine.
+pub struct Scipy {
+    /// Our program for it.
+    script: PathBuf,
 }
 
 /// A relative tolerance, how many times the problem is run to take the median (0 takes no time),
@@ -33,58 +29,33 @@ pub type Task = (f64, usize, Arc<Problem>);
 /// The result of a task, and its median time \[ns\].
 pub type Answer = (Result<Outcome, Failure>, f64);
 
-/// Whether a problem can be passed to another library.
+/// Whether a problem can be passed to it.
 #[must_use]
 pub fn can_take(problem: &Problem) -> bool {
     problem.law.parts.iter().all(|part| matches!(part.form, Formula::Powers(_)))
 }
 
-/// The words that a command prints, if it succeeds.
-fn output_of(command: &str, arguments: &[&str]) -> Option<Vec<String>> {
-    let printed = output(Command::new(command).args(arguments)).ok()?;
-    Some(printed.split_whitespace().map(str::to_owned).collect())
-}
-
-/// The libraries of this machine, with the files that they need in a folder.
-///
-/// # Errors
-/// When GSL is installed and a program that uses it cannot be built.
-pub fn find(folder: &Path) -> Result<Vec<External>> {
-    let mut found = vec![];
-    if let Some(version) = output_of("python3", &["-c", "import scipy; print(scipy.__version__)"]) {
+impl Scipy {
+    /// scipy with the files that it needs in a folder.
+    ///
+    /// # Errors
+    /// When python3 has no scipy.
+    pub fn find(folder: &Path) -> Result<Self> {
+        output(Command::new("python3").args(["-c", "import scipy"])).context("scipy is missing")?;
         let script = folder.join("quad.py");
-        save(&script, include_str!("external/quad.py"))?;
-        found.push(External {
-            name: "scipy",
-            what: format!("scipy {} quad per branch, scaled", version.join(" ")),
-            command: vec!["python3".into(), script],
-        });
+        save(&script, include_str!("quad.py"))?;
+        Ok(Self { script })
     }
-    if let Some(flags) = output_of("gsl-config", &["--cflags", "--libs"]) {
-        let version = output_of("gsl-config", &["--version"]).unwrap_or_default();
-        let (source, program) = (folder.join("qag.c"), folder.join("qag"));
-        save(&source, include_str!("external/qag.c"))?;
-        let mut cc = Command::new("cc");
-        cc.args(["-O2", "-o"]).args([&program, &source]).args(&flags).arg("-lm");
-        output(&mut cc).context("GSL is installed, but its program does not build")?;
-        let what = format!("GSL {} qag with 21 points per branch, scaled", version.join(" "));
-        found.push(External { name: "gsl", what, command: vec![program] });
-    }
-    Ok(found)
-}
 
-impl External {
     /// Runs the tasks, all in one process.
     ///
     /// # Errors
     /// When the process fails or its output is malformed.
     pub fn run(&self, tasks: &[Task]) -> Result<Vec<Answer>> {
-        let [program, arguments @ ..] = &self.command[..] else { bail!("no program") };
-        let path = arguments.last().unwrap_or(program).with_extension("tasks");
+        let path = self.script.with_extension("tasks");
         save(&path, tasks.iter().map(line).collect::<Result<String>>()?)?;
-        let input = File::open(&path)?;
-        let text = output(Command::new(program).args(arguments).stdin(input))?;
-        ensure!(text.lines().count() == tasks.len(), "{}: answers are missing", self.name);
+        let text = output(Command::new("python3").arg(&self.script).stdin(File::open(&path)?))?;
+        ensure!(text.lines().count() == tasks.len(), "scipy: answers are missing");
         tasks.iter().zip(text.lines()).map(|(task, line)| answer(&task.2, line)).collect()
     }
 }
