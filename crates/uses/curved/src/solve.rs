@@ -14,15 +14,6 @@ const BALANCED: f64 = 1e-13;
 /// A step of Newton's method errs by at most this times its square, with both over the peak.
 const SQUARE: f64 = 30.0;
 
-/// What is given of a contact.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Given {
-    /// Its load, of a line per length.
-    Load(f64),
-    /// Its approach, and how much larger than on the grid approaches are at a unit of load.
-    Approach(f64, f64),
-}
-
 /// Separations on a grid with all that follows from them.
 pub(crate) struct State {
     /// Parabolic part of the separations \[m\].
@@ -132,11 +123,12 @@ impl State {
         self.separations.iter().zip(rest).map(|(d, rest)| d - rest).collect()
     }
 
-    /// Solves for the state in equilibrium, with pressures that suffice for this tolerance.
+    /// Solves for the state in equilibrium with a load, of a line per length, with pressures that
+    /// suffice for this tolerance.
     pub(crate) fn solve(
         &mut self,
         layer: &Layer,
-        given: Given,
+        load: f64,
         tolerance: f64,
     ) -> Result<(), ContactError> {
         let enough = DONE * tolerance;
@@ -147,29 +139,9 @@ impl State {
             if self.slopes.iter().any(|slope| *slope < 0.0) {
                 return refused("the pressure of the model rises with the separation here");
             }
-            let (step, shift) = match given {
-                Given::Load(load) => {
-                    let right: Vec<f64> = residual.iter().map(|r| -r).collect();
-                    let falls = (self.force() - load) / self.weight;
-                    self.linear(&right, within, Some(falls))?
-                }
-                Given::Approach(approach, more) => {
-                    let shift = more * self.force() - approach - self.offset;
-                    let right: Vec<f64> = residual.iter().map(|r| shift - r).collect();
-                    let mut step = self.linear(&right, within, None)?.0;
-                    // With the load of a line its approach changes.
-                    let unit = if more == 0.0 {
-                        step.clone()
-                    } else {
-                        self.linear(&vec![1.0; step.len()], within, None)?.0
-                    };
-                    let more = more * self.weight;
-                    let [own, other] = [&step, &unit].map(|one| more * dot(&self.slopes, one));
-                    let back = own / (1.0 + other);
-                    step.iter_mut().zip(&unit).for_each(|(step, unit)| *step -= back * unit);
-                    (step, shift - back)
-                }
-            };
+            let right: Vec<f64> = residual.iter().map(|r| -r).collect();
+            let falls = (self.force() - load) / self.weight;
+            let (step, shift) = self.linear(&right, within, Some(falls))?;
             self.offset += shift;
             let (before, peak) = (self.pressures.clone(), self.peak());
             self.separations.iter_mut().zip(&step).for_each(|(d, step)| *d += step);
@@ -179,10 +151,7 @@ impl State {
             let rest = (SQUARE * change * change).max(within * change);
             if rest < enough {
                 self.work.products = self.kernel.products;
-                return match given {
-                    Given::Load(load) => self.balance(layer, load),
-                    Given::Approach(..) => Ok(()),
-                };
+                return self.balance(layer, load);
             }
             residual = self.residual();
             within = (enough / rest).max(change * change).min(1e-2);
