@@ -19,7 +19,7 @@ fn part(name: &str) -> Result<&'static str> {
 ///
 /// # Errors
 /// A name without a caption.
-fn of(name: &str) -> Result<(String, Vec<String>)> {
+pub fn of(name: &str) -> Result<(String, Vec<String>)> {
     let mut lines = part(name)?.lines().filter(|line| !line.starts_with("- ")).map(filled);
     Ok((lines.next().unwrap_or_default(), lines.collect()))
 }
