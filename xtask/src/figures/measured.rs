@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use asperity_plot::{Axis, Curve, Legend, Strip, draw};
+use asperity_plot::{Axis, Curve, Strip, draw};
 
 use super::captions::with_caption;
 use super::models::{beside, of, panel};
@@ -22,9 +22,8 @@ pub fn picture(folder: &Path) -> Result<Fresh> {
 
 /// Errors above this count as wrong.
 const WRONG: f64 = 1e-2;
-/// The ends of the axis, at which larger and smaller errors are drawn; the right leaves room for
-/// names.
-const ERRORS: (f64, f64) = (1e-16, 1e4);
+/// The ends of the axis, at which larger and smaller errors are drawn.
+const ERRORS: (f64, f64) = (1e-16, 10.0);
 
 /// The methods in the order of their looks.
 const METHODS: &str = "compiled gauss-legendre-64 rule gauss-kronrod scipy simpson";
@@ -94,7 +93,6 @@ fn frontier(csv: &str) -> Result<String> {
     panels.retain(|panel| !panel.curves.is_empty());
     let mut figure = beside(1, panels);
     figure.caption = vec![format!("{machine}.")];
-    figure.legend = Legend::Direct;
     Ok(draw(&with_caption("speed-vs-error", figure)?, &summary)?)
 }
 

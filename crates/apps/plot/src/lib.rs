@@ -27,7 +27,6 @@ mod canvas;
 mod clip;
 #[cfg(feature = "scan")]
 mod contact;
-mod direct;
 mod error;
 mod figure;
 mod layout;
@@ -48,7 +47,7 @@ mod trace;
 #[cfg(feature = "scan")]
 pub use contact::largest_of;
 pub use error::PlotError;
-pub use figure::{Axis, Between, Figure, Legend, Mark, Panel, Scale, Strip};
+pub use figure::{Axis, Between, Figure, Mark, Panel, Scale, Strip};
 pub use looks::{MEASURED, look_of};
 #[cfg(feature = "scan")]
 pub use map::{Map, draw_map, map_png};
