@@ -64,8 +64,6 @@ pub(crate) struct Deflection {
     rows: Arc<dyn RealToComplex<f64>>,
     back: Arc<dyn ComplexToReal<f64>>,
     columns: [Arc<dyn Fft<f64>>; 2],
-    /// Products so far.
-    pub(crate) products: usize,
     complex: Vec<Complex64>,
     column: Vec<Complex64>,
     row: Vec<f64>,
@@ -118,7 +116,6 @@ impl Deflection {
             rows: real_forward(columns),
             back: real_inverse(columns),
             columns: [forward(rows), inverse(rows)],
-            products: 0,
             complex: vec![Complex64::default(); half * rows],
             column: vec![Complex64::default(); rows],
             row: vec![0.0; columns],
@@ -154,7 +151,6 @@ impl Deflection {
 
     /// The deflections \[m\] under these pressures \[Pa\].
     pub(crate) fn product(&mut self, pressures: &[f64], deflections: &mut [f64]) {
-        self.products += 1;
         let (nx, half) = (self.n, self.half());
         self.complex.fill(Complex64::default());
         for (j, pressures) in pressures.chunks(nx).enumerate() {

@@ -98,18 +98,6 @@ impl Shape {
     }
 }
 
-/// The work of a solution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub struct Work {
-    /// Points of the grid.
-    pub points: usize,
-    /// Steps of Newton's method.
-    pub steps: usize,
-    /// Products with the deflection of the half spaces.
-    pub products: usize,
-}
-
 /// The points at which a contact is solved; of a line one row.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Grid {

@@ -4,7 +4,7 @@ use asperity_core::{ContactError, Quantity};
 
 use crate::kernel::Deflection;
 use crate::layer::Layer;
-use crate::{Grid, Work, refused};
+use crate::{Grid, refused};
 
 const MAX_STEPS: usize = 60;
 /// What pressures may be off by after the last step, over the peak and the tolerance of numbers.
@@ -28,8 +28,9 @@ pub(crate) struct State {
     /// -dp/dd \[Pa/m\].
     pub(crate) slopes: Vec<f64>,
     deflections: Vec<f64>,
-    pub(crate) kernel: Deflection,
-    pub(crate) work: Work,
+    kernel: Deflection,
+    /// Of Newton's method.
+    pub(crate) steps: usize,
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -51,7 +52,6 @@ impl State {
         let mut deflections = vec![0.0; n];
         kernel.product(pressures, &mut deflections);
         let (separations, slopes) = (vec![0.0; n], vec![0.0; n]);
-        let work = Work { points: n, ..Work::default() };
         let mut state = Self {
             shape,
             grid,
@@ -62,7 +62,7 @@ impl State {
             slopes,
             deflections,
             kernel,
-            work,
+            steps: 0,
         };
         let base: Vec<f64> =
             state.shape.iter().zip(&state.deflections).map(|(a, b)| a + b).collect();
@@ -135,7 +135,7 @@ impl State {
         let mut residual = self.residual();
         let mut within = 1e-2;
         for _ in 0..MAX_STEPS {
-            self.work.steps += 1;
+            self.steps += 1;
             if self.slopes.iter().any(|slope| *slope < 0.0) {
                 return refused("the pressure of the model rises with the separation here");
             }
@@ -150,7 +150,6 @@ impl State {
             let change = changes.fold(0.0, f64::max) / peak.max(self.peak());
             let rest = (SQUARE * change * change).max(within * change);
             if rest < enough {
-                self.work.products = self.kernel.products;
                 return self.balance(layer, load);
             }
             residual = self.residual();
