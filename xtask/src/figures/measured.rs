@@ -101,15 +101,15 @@ mod tests {
     use super::*;
 
     const CSV: &str = "# measured on a machine
-model,quantity,method,tolerance,median_ns,max_relative_error,evaluations
-ke,force,compiled,1e-3,30,1e-6,4
-ke,force,compiled,1e-5,40,1e-8,8
-ke,force,scipy,,900,1e-3,48
-ke,force,scipy,,1800,1e-5,96
-jg,force,compiled,1e-3,60,2e-5,4
-jg,force,compiled,1e-5,50,not-converged,8
-jg,force,scipy,,700,1e-2,48
-jg,force,scipy,,1900,1e-6,96
+model,quantity,method,tolerance,median_ns,max_relative_error
+ke,force,compiled,1e-3,30,1e-6
+ke,force,compiled,1e-5,40,1e-8
+ke,force,scipy,,900,1e-3
+ke,force,scipy,,1800,1e-5
+jg,force,compiled,1e-3,60,2e-5
+jg,force,compiled,1e-5,50,not-converged
+jg,force,scipy,,700,1e-2
+jg,force,scipy,,1900,1e-6
 ";
 
     #[test]

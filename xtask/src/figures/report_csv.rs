@@ -17,8 +17,6 @@ pub struct Row {
     pub median_ns: String,
     /// Worst error on the hard grid, or a failure.
     pub max_relative_error: String,
-    /// Mean number of evaluations.
-    pub evaluations: String,
 }
 
 /// The median; `None` without numbers.

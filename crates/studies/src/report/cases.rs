@@ -127,7 +127,7 @@ mod tests {
         let cases = read(&Laws::default(), &pairs.collect::<Result<Vec<_>>>()?)?;
         assert!(cases.len() > 10, "{}", cases.len());
         let case = Case { scaled: 2.0, size: 8.0, value: 1.0, ..cases[0].clone() };
-        let found = |value, scaled| Ok(Outcome { value, scaled, evaluations: None });
+        let found = |value, scaled| Ok(Outcome { value, scaled });
         assert_eq!(case.error(found(3.0, true)), Ok(0.125));
         assert_eq!(case.error(found(1.5, false)), Ok(0.125));
         assert_eq!(case.error(found(0.0, false)), Err(ZERO));

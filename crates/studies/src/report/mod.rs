@@ -1,8 +1,7 @@
 //! `cargo xtask report`: speed and accuracy of the integrals, compared with other methods.
 //!
-//! Times, errors and numbers of evaluations of every method on the same points, in one process and
-//! one run: `speed-vs-error.csv`. Errors and counts are reproducible and guarded by tests; times
-//! are not.
+//! Times and errors of every method on the same points, in one process and one run:
+//! `speed-vs-error.csv`. Errors are reproducible and guarded by tests; times are not.
 
 mod cases;
 mod methods;

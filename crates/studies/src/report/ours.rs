@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::Result;
 use asperity::{Contact, Request, Tolerance};
-use asperity_quadrature::{AnyScale, QuadratureError};
+use asperity_quadrature::AnyScale;
 
 use super::problem::{
     INTEGRALS, Job, NOT_CONVERGED, Outcome, Problem, integrated, law_behind,
@@ -80,13 +80,9 @@ impl Laws {
 pub fn compiled(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
     let (quantity, separation) = (problem.quantity, problem.separation);
     let compiled = laws.scene(problem, tolerance)?;
-    let request = Request::new([quantity]).within(Tolerance::new(tolerance)?).at([separation]);
-    let plan = compiled.plan(&request)?;
-    let step = plan.steps.iter().find(|step| step.quantities.contains(&quantity));
-    let evaluations = Some(step.and_then(|step| step.terms).map_or(1, |(_, most)| most));
     Ok(Box::new(move || {
         let found = compiled.evaluate(quantity, separation).map_err(|_| NOT_CONVERGED)?;
-        Ok(Outcome { value: found.scaled, scaled: true, evaluations })
+        Ok(Outcome { value: found.scaled, scaled: true })
     }))
 }
 
@@ -95,26 +91,12 @@ pub fn rule(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
     let rules = laws.rules(problem, tolerance)?;
     let (scale, s, slope) = (problem.scale(), problem.separation, problem.slope());
     let factor = problem.in_units(1.0);
-    let evaluations = rule_terms(&rules, problem).ok();
     Ok(Box::new(move || {
         let found = if slope { rules.at(s, scale) } else { rules.value(s, scale) };
         let found = found.map_err(|_| NOT_CONVERGED)?;
         let value = factor * if slope { found.slope } else { found.value };
-        Ok(Outcome { value, scaled: true, evaluations })
+        Ok(Outcome { value, scaled: true })
     }))
-}
-
-/// Terms of a value of a rule; samples of the law where the point has no rule and is integrated.
-fn rule_terms(rules: &AnyScale, problem: &Problem) -> Result<usize, QuadratureError> {
-    let (separation, scale) = (problem.separation, problem.scale());
-    match rules.terms(separation, scale)? {
-        0 => {
-            let before = rules.evaluations();
-            rules.value(separation, scale)?;
-            Ok(rules.evaluations() - before)
-        }
-        terms => Ok(terms),
-    }
 }
 
 /// Median time of one call \[ns\] over at least three batches, after two warm-up calls.

@@ -199,8 +199,6 @@ pub struct Outcome {
     pub value: f64,
     /// Whether the value is divided by its scale, exp(-s²/2) for s > 0.
     pub scaled: bool,
-    /// Evaluations of the integrand, or of an exponential for a rule whose weight contains the law.
-    pub evaluations: Option<usize>,
 }
 
 /// The reason for a missing number, as it stands in a table.

@@ -81,12 +81,11 @@ fn line((tolerance, repeats, problem): &Task) -> Result<String> {
     Ok(line + "\n")
 }
 
-/// Reads a line: value, evaluations, 1 for converged, time.
+/// Reads a line: value, 1 for converged, time.
 fn answer(problem: &Problem, line: &str) -> Result<Answer> {
     let fields: Vec<&str> = line.split_whitespace().collect();
-    let [value, evaluations, converged, ns] = fields[..] else { bail!("answer {line:?}") };
-    let (value, evaluations) = (problem.in_units(value.parse()?), Some(evaluations.parse()?));
-    let found = Outcome { value, scaled: true, evaluations };
+    let [value, converged, ns] = fields[..] else { bail!("answer {line:?}") };
+    let found = Outcome { value: problem.in_units(value.parse()?), scaled: true };
     let found = if converged == "1" { Ok(found) } else { Err(NOT_CONVERGED) };
     Ok((found, ns.parse()?))
 }

@@ -1,4 +1,4 @@
-//! The table: times, errors and evaluations of every method and setting.
+//! The table: times and errors of every method and setting.
 
 use std::hint::black_box;
 use std::sync::Arc;
@@ -28,8 +28,8 @@ pub fn pairs() -> Vec<(Model, Quantity)> {
 /// The worst of some errors: the largest, or a failure.
 type Worst = Result<f64, Failure>;
 
-/// Time \[ns\], worst error and mean number of evaluations of a setting.
-type Measured = (Option<f64>, Worst, Option<f64>);
+/// Time \[ns\] and worst error of a setting.
+type Measured = (Option<f64>, Worst);
 
 /// The larger error; a failure is worse than any error, and the failure "zero" is an error of 1.
 fn worse(a: Worst, b: Worst) -> Worst {
@@ -41,7 +41,7 @@ fn row(
     (model, quantity): &(Model, Quantity),
     method: &str,
     tolerance: Option<f64>,
-    (time, worst, evaluations): Measured,
+    (time, worst): Measured,
 ) -> Row {
     Row {
         model: model.id().into(),
@@ -50,7 +50,6 @@ fn row(
         tolerance: tolerance.map(|tolerance| format!("{tolerance:e}")).unwrap_or_default(),
         median_ns: time.map(significant).unwrap_or_default(),
         max_relative_error: worst.map_or_else(Into::into, |error| format!("{error:.1e}")),
-        evaluations: evaluations.map(|count| format!("{count:.1}")).unwrap_or_default(),
     }
 }
 
@@ -130,8 +129,7 @@ impl Run<'_> {
         let time = self.scipy.map(|_| ours::median_ns(all) / jobs.len() as f64);
         let errors = grid.par_iter().map(|case| Ok(case.error(job(&case.problem)?())));
         let errors = errors.collect::<Result<Vec<Worst>>>()?;
-        let counts = jobs.iter().filter_map(|job| job().ok()?.evaluations);
-        Ok((time, errors.into_iter().fold(Ok(0.0), worse), mean(counts)))
+        Ok((time, errors.into_iter().fold(Ok(0.0), worse)))
     }
 }
 
@@ -146,15 +144,8 @@ fn by_scipy(
     let answers = scipy.run(&timed.chain(errors).collect::<Vec<_>>())?;
     let (timed, solved) = answers.split_at(points.len());
     let time = timed.iter().map(|(_, ns)| ns).sum::<f64>() / points.len() as f64;
-    let counts = timed.iter().filter_map(|(found, _)| (*found).ok()?.evaluations);
     let errors = grid.iter().zip(solved).map(|(case, (found, _))| case.error(*found));
-    Ok((Some(time), errors.fold(Ok(0.0), worse), mean(counts)))
-}
-
-/// The mean; `None` without numbers.
-fn mean(counts: impl Iterator<Item = usize>) -> Option<f64> {
-    let (count, sum) = counts.fold((0, 0), |(count, sum), n| (count + 1, sum + n));
-    (count > 0).then(|| sum as f64 / f64::from(count))
+    Ok((Some(time), errors.fold(Ok(0.0), worse)))
 }
 
 /// A number to three significant digits.

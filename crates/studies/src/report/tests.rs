@@ -1,4 +1,4 @@
-//! The report's errors and evaluations are snapshots, and the committed report is complete.
+//! The report's errors are snapshots, and the committed report is complete.
 
 use std::fs;
 
@@ -11,14 +11,14 @@ use xtask::table::{agree_by, rows};
 
 use super::tables;
 
-/// Whether two errors, or two numbers of evaluations, are the same up to rounding, which dominates
-/// small errors and differs between compilers.
+/// Whether two errors are the same up to rounding, which dominates small errors and differs between
+/// compilers.
 fn errors_agree(a: f64, b: f64) -> bool {
     let (small, large) = (a.abs().min(b.abs()), a.abs().max(b.abs()));
     large <= 1.05 * small || large < 2e-14 || (large < 1e-10 && large <= 5.0 * small)
 }
 
-/// Whether texts agree exactly, and errors and counts up to rounding.
+/// Whether texts agree exactly, and errors up to rounding.
 #[derive(Clone)]
 struct Errors;
 
@@ -38,7 +38,7 @@ impl Comparator for Errors {
 }
 
 #[test]
-fn errors_and_evaluations_agree_with_their_snapshots() {
+fn errors_agree_with_their_snapshot() {
     let pairs = ["ke", "jg"].map(|id| {
         let model: Model = id.parse().unwrap();
         [Quantity::Force, Quantity::Tangent].map(|quantity| (model.clone(), quantity))
@@ -60,7 +60,7 @@ fn committed(name: &str) -> String {
 #[test]
 fn our_committed_errors_are_below_their_tolerances() {
     let csv = committed("speed-vs-error.csv");
-    let head = "model,quantity,method,tolerance,median_ns,max_relative_error,evaluations";
+    let head = "model,quantity,method,tolerance,median_ns,max_relative_error";
     assert_eq!(csv.lines().nth(1), Some(head));
     let mut rows = 0;
     for line in csv.lines().skip(2) {
