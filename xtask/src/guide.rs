@@ -20,7 +20,7 @@ const CHAPTERS: &str = include_str!("../../crates/apps/web/guide/chapters.txt");
 const MODELS: &str = "list of models";
 /// Documentation of the interfaces beside the guide, listed where `dist` has written it.
 const API: [(&str, &str); 2] =
-    [("Rust crates", "../rust/index.html"), ("Python package", "../python/asperity.html")];
+    [("Rust crates", "../rust/asperity/index.html"), ("Python package", "../python/asperity.html")];
 
 /// Writes the guide beside the page, `target/page/guide`, and returns its front page. MkDocs is
 /// installed under `target/guide` the first time.

@@ -1,4 +1,4 @@
-//! The tasks `figures`, `report`, `truth`, `docs`, `guide`, `page` and `dist` of `cargo xtask`.
+//! The tasks `figures`, `report`, `truth`, `guide`, `page` and `dist` of `cargo xtask`.
 //!
 //! `guide` starts the program again with a feature, `report` and `truth` start the program of the
 //! studies.
@@ -10,7 +10,7 @@ use anyhow::{Result, ensure};
 use clap::{Args, Parser};
 use xtask::command::{cargo, run};
 use xtask::folder::{figures_folder, root};
-use xtask::{docs, files};
+use xtask::files;
 
 /// The workspace's own tasks
 #[derive(Parser)]
@@ -31,8 +31,6 @@ enum Task {
     /// options
     #[command(disable_help_flag = true)]
     Truth(Study),
-    /// Write the documentation of all crates, with an index page: target/doc/index.html
-    Docs,
     /// Build and try what users install: target/dist/ with wheel, program, page and checksums.
     /// Needs Python with venv, and the target x86_64-unknown-linux-musl
     Dist {
@@ -70,7 +68,6 @@ fn main() -> Result<()> {
             }
             files::write(&figures_folder(), &names)?
         }
-        Task::Docs => vec![docs::write()?],
         Task::Dist { quick } => {
             let quick = quick.then_some("--quick");
             return run(Command::new("bash").arg(root().join("xtask/dist.sh")).args(quick));
