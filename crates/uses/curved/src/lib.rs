@@ -218,12 +218,6 @@ impl Curved {
         self.shape
     }
 
-    /// The relative tolerance of its numbers.
-    #[must_use]
-    pub fn tolerance(&self) -> f64 {
-        self.tolerance
-    }
-
     /// Points along a side of the grid at a load \[N\].
     #[must_use]
     pub fn points_at(&self, load: f64) -> usize {

@@ -216,7 +216,7 @@ impl OfBodies {
                     of_joint,
                     radii,
                     &self.scene,
-                    self.curved.tolerance(),
+                    self.curved.tolerance,
                 )?;
                 return value.ok_or_else(none);
             }
@@ -224,7 +224,7 @@ impl OfBodies {
         if !value.is_finite() {
             return Err(none());
         }
-        let error = self.curved.tolerance() * (size / value.abs()).max(1.0);
+        let error = self.curved.tolerance * (size / value.abs()).max(1.0);
         Ok(Evaluation::new(value, error))
     }
 
