@@ -12,8 +12,12 @@ use crate::figures::{FIGURES, FigureSpec, measured, world};
 use crate::folder::{Fresh, read, save};
 use crate::table::{GUARD, agree};
 
-/// A committed csv stays while its numbers agree with fresh ones; the svg is drawn from it.
-fn fresh(folder: &Path, (name, table, style): &FigureSpec) -> Result<[Fresh; 2]> {
+/// A figure's csv and svg. A committed csv stays while its numbers agree with fresh ones; the svg is
+/// drawn from it.
+///
+/// # Errors
+/// A figure that cannot be computed or drawn.
+pub fn fresh(folder: &Path, (name, table, style): &FigureSpec) -> Result<[Fresh; 2]> {
     let numbers = table().with_context(|| format!("the table of {name}"))?.into_text();
     let csv = match read(&folder.join(format!("{name}.csv"))) {
         Ok(committed) if agree(&committed, &numbers, GUARD) => committed,

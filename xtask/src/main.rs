@@ -9,8 +9,8 @@ use std::process::Command;
 use anyhow::{Result, ensure};
 use clap::Parser;
 use xtask::command::{cargo, run};
-use xtask::folder::{figures_folder, root};
 use xtask::files;
+use xtask::folder::{figures_folder, root};
 
 /// The workspace's own tasks
 #[derive(Parser)]

@@ -84,11 +84,7 @@ pub fn read(laws: &Laws, pairs: &[(Model, Quantity)]) -> Result<Vec<Case>> {
 }
 
 /// The case of a row; `None` outside the range of w_c/σ_z.
-fn case(
-    laws: &Laws,
-    row: &CaseRow,
-    (model, quantity): &(Model, Quantity),
-) -> Result<Option<Case>> {
+fn case(laws: &Laws, row: &CaseRow, (model, quantity): &(Model, Quantity)) -> Result<Option<Case>> {
     let scene = Scene::new(row.interface, row.surface, row.nominal_area);
     let problem = Problem::new(model, *quantity, scene, row.separation_over_sigma)?;
     if !CRITICAL.contains(&(problem.scene.asperity()?.critical_interference()? / problem.std())) {

@@ -9,9 +9,7 @@ use anyhow::Result;
 use asperity::{Contact, Request, Tolerance};
 use asperity_quadrature::AnyScale;
 
-use super::problem::{
-    INTEGRALS, Job, NOT_CONVERGED, Outcome, Problem, integrated, law_behind,
-};
+use super::problem::{INTEGRALS, Job, NOT_CONVERGED, Outcome, Problem, integrated, law_behind};
 use xtask::figures::report_csv::median;
 
 /// Most batches of a time, the least duration of one, and of all where there are three.

@@ -4,9 +4,7 @@
 use std::sync::Arc;
 
 use anyhow::Result;
-use asperity::{
-    Asperity, Law, Model, Part, Quantity, Scene, Surface, Tolerance,
-};
+use asperity::{Asperity, Law, Model, Part, Quantity, Scene, Surface, Tolerance};
 use asperity_quadrature::{QuadratureError, Sampler, reach};
 use xtask::figures::models::{NOMINAL_AREA, interface};
 

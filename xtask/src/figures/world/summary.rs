@@ -30,7 +30,8 @@ type Row = (String, String, f64, f64);
 
 /// The root mean square deviation of the ratios of a model, in per cent.
 fn off<'r>(ratios: impl Iterator<Item = &'r f64>) -> String {
-    let (count, sum) = ratios.fold((0, 0.0), |(n, sum), ratio| (n + 1, sum + (ratio - 1.0).powi(2)));
+    let (count, sum) =
+        ratios.fold((0, 0.0), |(n, sum), ratio| (n + 1, sum + (ratio - 1.0).powi(2)));
     match count {
         0 => NOTHING.into(),
         count => format!("{:.0}", 100.0 * (sum / f64::from(count)).sqrt()),
