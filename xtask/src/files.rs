@@ -12,8 +12,8 @@ use crate::figures::{FIGURES, FigureSpec, measured, world};
 use crate::folder::{Fresh, read, save};
 use crate::table::{GUARD, agree};
 
-/// A figure's csv and svg. A committed csv stays while its numbers agree with fresh ones; the svg is
-/// drawn from it.
+/// A figure's csv and svg. A committed csv stays while its numbers agree with fresh ones; the svg
+/// is drawn from it.
 ///
 /// # Errors
 /// A figure that cannot be computed or drawn.

@@ -103,8 +103,8 @@ impl Deflection {
         })
     }
 
-    /// Of `n` points a row on a padded grid of `size`, from the transform of the kernel at multiples
-    /// of the least waves, which is even along both axes.
+    /// Of `n` points a row on a padded grid of `size`, from the transform of the kernel at
+    /// multiples of the least waves, which is even along both axes.
     fn new(n: usize, size: [usize; 2], transform: impl Fn(usize, usize) -> f64) -> Self {
         let [columns, rows] = size;
         let half = columns / 2 + 1;
