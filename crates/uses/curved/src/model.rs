@@ -194,7 +194,10 @@ impl OfBodies {
             Quantity::Force => (found.load(), 0.0),
             Quantity::Area | Quantity::Contacts => (found.sum(quantity)?, 0.0),
             Quantity::Tangent if has_length => (found.tangent()?, 0.0),
-            Quantity::Approach => (found.approach().ok_or_else(no_length)?, sigma),
+            Quantity::Approach => match self.given(at)? {
+                (false, approach) => (approach, sigma),
+                _ => (found.approach().ok_or_else(no_length)?, sigma),
+            },
             Quantity::ApproachBeyondHertz => (found.approach_beyond_hertz(), sigma),
             Quantity::PeakPressure => (found.peak_pressure(), 0.0),
             Quantity::PeakPressureRatio => {
