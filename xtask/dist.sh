@@ -83,7 +83,7 @@ rm -r "${dist:?}/$name"
 
 # The page, if it was built, with the guide and the documentation of both interfaces.
 if [ -f target/page/index.html ]; then
-    cargo xtask docs
+    RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps
     rm -rf target/page/rust target/page/python
     cp -r target/doc target/page/rust
     rm -f target/page/rust/.lock

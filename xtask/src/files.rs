@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use asperity::Evidence;
 use asperity_plot::draw;
 use rayon::prelude::*;
@@ -12,8 +12,12 @@ use crate::figures::{FIGURES, FigureSpec, measured, world};
 use crate::folder::{Fresh, read, save};
 use crate::table::{GUARD, agree};
 
-/// A committed csv stays while its numbers agree with fresh ones; the svg is drawn from it.
-fn fresh(folder: &Path, (name, table, style): &FigureSpec) -> Result<[Fresh; 2]> {
+/// A figure's csv and svg. A committed csv stays while its numbers agree with fresh ones; the svg
+/// is drawn from it.
+///
+/// # Errors
+/// A figure that cannot be computed or drawn.
+pub fn fresh(folder: &Path, (name, table, style): &FigureSpec) -> Result<[Fresh; 2]> {
     let numbers = table().with_context(|| format!("the table of {name}"))?.into_text();
     let csv = match read(&folder.join(format!("{name}.csv"))) {
         Ok(committed) if agree(&committed, &numbers, GUARD) => committed,
@@ -24,43 +28,34 @@ fn fresh(folder: &Path, (name, table, style): &FigureSpec) -> Result<[Fresh; 2]>
     Ok([(format!("{name}.csv"), csv), (format!("{name}.svg"), svg)])
 }
 
-/// The figures whose names begin so. Without names, all of them, and the pictures of the report,
-/// drawn from its committed measurements.
-fn all(folder: &Path, names: &[&str]) -> Result<Vec<Fresh>> {
-    if let Some(name) = names.iter().find(|n| !FIGURES.iter().any(|f| f.0.starts_with(**n))) {
-        let known = FIGURES.map(|f| f.0).join(", ");
-        bail!("{name:?} is not a figure; the figures are {known}");
-    }
-    let begins = |spec: &FigureSpec| names.iter().any(|name| spec.0.starts_with(name));
-    let wanted = |spec: &&FigureSpec| names.is_empty() || begins(spec);
-    let figures = FIGURES.par_iter().filter(wanted).map(|spec| fresh(folder, spec));
+/// All figures, and what is made of the committed measurements and of the figures' numbers.
+fn all(folder: &Path) -> Result<Vec<Fresh>> {
+    let figures = FIGURES.par_iter().map(|spec| fresh(folder, spec));
     let mut all = figures.collect::<Result<Vec<_>>>()?.concat();
-    if names.is_empty() {
-        all.extend(measured::pictures(folder)?);
-        let text = |name: &str| {
-            let found = all.iter().find(|(file, _)| *file == format!("{name}.csv"));
-            found.map(|(_, text)| text.as_str()).with_context(|| name.to_owned())
-        };
-        let world = world::summary::table(text, Evidence::committed()?)?;
-        all.push(("world.md".to_owned(), world));
-    }
+    all.push(measured::picture(folder)?);
+    let text = |name: &str| {
+        let found = all.iter().find(|(file, _)| *file == format!("{name}.csv"));
+        found.map(|(_, text)| text.as_str()).with_context(|| name.to_owned())
+    };
+    let world = world::summary::table(text, Evidence::committed()?)?;
+    all.push(("world.md".to_owned(), world));
     Ok(all)
 }
 
-/// Writes the figures whose names begin so (all, if none is given); returns the paths written.
+/// Writes the figures; returns the paths written.
 ///
 /// # Errors
-/// An unknown name, a figure that cannot be computed, a file that cannot be written.
-pub fn write(folder: &Path, names: &[&str]) -> Result<Vec<PathBuf>> {
-    save(folder, all(folder, names)?)
+/// A figure that cannot be computed, a file that cannot be written.
+pub fn write(folder: &Path) -> Result<Vec<PathBuf>> {
+    save(folder, all(folder)?)
 }
 
 /// The names of the files that differ from what [`write()`] would write. Writes nothing.
 ///
 /// # Errors
-/// An unknown name, or a figure that cannot be computed.
-pub fn stale(folder: &Path, names: &[&str]) -> Result<Vec<String>> {
+/// A figure that cannot be computed.
+pub fn stale(folder: &Path) -> Result<Vec<String>> {
     let same =
         |(name, text): &Fresh| read(&folder.join(name)).is_ok_and(|committed| committed == *text);
-    Ok(all(folder, names)?.into_iter().filter(|f| !same(f)).map(|(name, _)| name).collect())
+    Ok(all(folder)?.into_iter().filter(|f| !same(f)).map(|(name, _)| name).collect())
 }

@@ -7,11 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
-use asperity::{
-    Asperities, At, Code, ContactError, ContactModel, Described, Interface, Model, Quantity,
-    Request, Scene, Surface,
-};
-use asperity_scene::INTERFACE;
+use asperity::{Code, Described, Model, Quantity};
 use asperity_web::chapter_of;
 
 use crate::command::{output, run};
@@ -24,7 +20,7 @@ const CHAPTERS: &str = include_str!("../../crates/apps/web/guide/chapters.txt");
 const MODELS: &str = "list of models";
 /// Documentation of the interfaces beside the guide, listed where `dist` has written it.
 const API: [(&str, &str); 2] =
-    [("Rust crates", "../rust/index.html"), ("Python package", "../python/asperity.html")];
+    [("Rust crates", "../rust/asperity/index.html"), ("Python package", "../python/asperity.html")];
 
 /// Writes the guide beside the page, `target/page/guide`, and returns its front page. MkDocs is
 /// installed under `target/guide` the first time.
@@ -102,7 +98,7 @@ fn markdown(part: &str) -> Result<String> {
     }
     match part {
         MODELS => Ok(models()),
-        "list of quantities" => quantities(),
+        "list of quantities" => Ok(quantities()),
         "list of findings" => Ok(Code::ALL.iter().map(finding).collect()),
         "list of figures" => figures(),
         path => {
@@ -191,68 +187,19 @@ fn models() -> String {
     rows
 }
 
-/// A table of all quantities with the groups of models that have them.
-///
-/// # Errors
-/// A model that refuses a quantity for another reason than that it has none.
-fn quantities() -> Result<String> {
-    let mut interface = Interface::new(116e9, 0.31, 1.12e9);
-    for field in INTERFACE.iter().filter(|field| field.name != "equivalent_modulus") {
-        // What a quantity needs, for its name alone.
-        if Quantity::ALL.iter().any(|quantity| quantity.property() == Some(field.name)) {
-            (field.set)(&mut interface, 1e9);
-        }
-    }
-    interface.work_of_adhesion = Some(0.05);
-    let scene = Scene::new(interface, Surface::new(3.6e-4, 1.1e8, 1e-6), 3e-5);
-    let (inclined, upright): (Vec<_>, Vec<_>) =
-        Model::of_asperities().into_iter().partition(|model| model.validity().angles);
-    let groups = [
-        ("upright", [upright, Model::adhesive()].concat()),
-        ("random", Model::all_on(Asperities::Random)),
-        ("pairs", Model::all_on(Asperities::Pairs)),
-        ("inclined", inclined),
-        ("whole surface", Model::whole_surface()),
-        ("correlations", Model::correlations()),
-    ];
-    let answer = |model: &Model, quantity| {
-        let contact = model.contact(&scene, &Request::new([quantity]))?;
-        // Models of asperities refuse a quantity before they integrate.
-        let is_whole = model.asperity_model().is_none();
-        if is_whole { contact.evaluate(quantity, At::Load(1.0)).map(drop) } else { Ok(()) }
-    };
-    let has = |model: &Model, quantity| match answer(model, quantity) {
-        Ok(()) | Err(ContactError::Missing { .. }) => Ok(true),
-        Err(ContactError::Unsupported { .. }) => Ok(false),
-        // Of another quantity: one that loads would need.
-        Err(ContactError::NotRequested { quantity: other }) => Ok(other != quantity),
-        Err(other) => Err(other),
-    };
-    let mut rows =
-        markdown_head(&["quantity", "symbol", "unit", "definition", "models", "errors"], 0);
+/// A table of all quantities.
+fn quantities() -> String {
+    let mut rows = markdown_head(&["quantity", "symbol", "unit", "definition", "errors"], 0);
     for quantity in Quantity::ALL {
-        let mut names = vec![];
-        for (group, models) in &groups {
-            let of = models.iter().map(|model| Ok((model.id(), has(model, quantity)?)));
-            let of = of.collect::<Result<Vec<_>>>()?;
-            let with: Vec<&str> = of.iter().filter(|(_, has)| *has).map(|(id, _)| *id).collect();
-            match with.len() {
-                0 => {}
-                count if count == of.len() => names.push((*group).to_owned()),
-                _ => names.push(with.join(", ")),
-            }
-        }
-        let of_film = if names.is_empty() { "by the film or the scan" } else { "" };
         rows += &markdown_row(&[
             &*format!("`{quantity}`"),
             &quantity.symbol().replace("sum ", "Σ"),
             if quantity.unit().is_empty() { "1" } else { quantity.unit() },
             quantity.definition(),
-            &format!("{}{of_film}", names.join(", ")),
             if quantity.is_absolute() { "absolute" } else { "relative" },
         ]);
     }
-    Ok(rows)
+    rows
 }
 
 /// What the code of a warning or note means, and what to do.

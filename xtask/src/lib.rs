@@ -7,7 +7,6 @@
 //! studies, whose numbers are drawn here, are `crates/studies`.
 
 pub mod command;
-pub mod docs;
 pub mod figures;
 pub mod files;
 pub mod folder;

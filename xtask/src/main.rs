@@ -1,4 +1,4 @@
-//! The tasks `figures`, `report`, `truth`, `docs`, `guide`, `page` and `dist` of `cargo xtask`.
+//! The tasks `figures`, `report`, `truth`, `guide`, `page` and `dist` of `cargo xtask`.
 //!
 //! `guide` starts the program again with a feature, `report` and `truth` start the program of the
 //! studies.
@@ -7,10 +7,10 @@ use std::ffi::OsString;
 use std::process::Command;
 
 use anyhow::{Result, ensure};
-use clap::{Args, Parser};
+use clap::Parser;
 use xtask::command::{cargo, run};
+use xtask::files;
 use xtask::folder::{figures_folder, root};
-use xtask::{docs, files};
 
 /// The workspace's own tasks
 #[derive(Parser)]
@@ -21,18 +21,16 @@ enum Task {
         /// Only compare: fail and name the committed files that are stale
         #[arg(long)]
         check: bool,
-        /// Only the figures whose names begin so: fig10
-        names: Vec<String>,
     },
-    /// Measure speed against error, in some minutes: `asperity-studies report`, with its options
-    #[command(disable_help_flag = true)]
-    Report(Study),
+    /// Measure speed against error, in some minutes: `asperity-studies report`
+    Report,
     /// Compare models with boundary elements, in an hour: `asperity-studies truth`, with its
     /// options
     #[command(disable_help_flag = true)]
-    Truth(Study),
-    /// Write the documentation of all crates, with an index page: target/doc/index.html
-    Docs,
+    Truth {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        options: Vec<OsString>,
+    },
     /// Build and try what users install: target/dist/ with wheel, program, page and checksums.
     /// Needs Python with venv, and the target x86_64-unknown-linux-musl
     Dist {
@@ -53,31 +51,18 @@ enum Task {
     },
 }
 
-/// What the program of the studies reads.
-#[derive(Args)]
-struct Study {
-    #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-    options: Vec<OsString>,
-}
-
 fn main() -> Result<()> {
     let task = Task::parse();
     let written = match task {
-        Task::Figures { check, names } => {
-            let names: Vec<&str> = names.iter().map(String::as_str).collect();
-            if check {
-                return compare(&names);
-            }
-            files::write(&figures_folder(), &names)?
-        }
-        Task::Docs => vec![docs::write()?],
+        Task::Figures { check: true } => return compare(),
+        Task::Figures { check: false } => files::write(&figures_folder())?,
         Task::Dist { quick } => {
             let quick = quick.then_some("--quick");
             return run(Command::new("bash").arg(root().join("xtask/dist.sh")).args(quick));
         }
         // Users do not meet the times of a development build.
-        Task::Report(study) => return start("report", &["--release"], &study),
-        Task::Truth(study) => return start("truth", &[], &study),
+        Task::Report => return start("report", &["--release"], &[]),
+        Task::Truth { options } => return start("truth", &[], &options),
         #[cfg(feature = "guide")]
         Task::Guide => vec![xtask::guide::write()?],
         Task::Page { serve, keep_module } => {
@@ -95,8 +80,8 @@ fn main() -> Result<()> {
     Ok(())
 }
 
-fn compare(names: &[&str]) -> Result<()> {
-    let stale = files::stale(&figures_folder(), names)?.join(", ");
+fn compare() -> Result<()> {
+    let stale = files::stale(&figures_folder())?.join(", ");
     ensure!(
         stale.is_empty(),
         "stale: {stale}\nrun `cargo xtask figures`, look at the pictures, commit them"
@@ -106,7 +91,7 @@ fn compare(names: &[&str]) -> Result<()> {
 }
 
 /// Runs a study with its options.
-fn start(name: &str, build: &[&str], Study { options }: &Study) -> Result<()> {
+fn start(name: &str, build: &[&str], options: &[OsString]) -> Result<()> {
     let package = ["run", "--package", "asperity-studies"];
     run(cargo().args(package).args(build).args(["--", name]).args(options))
 }

@@ -11,11 +11,11 @@ use xtask::folder::{root, save};
 use xtask::table::Table;
 
 /// Equivalent modulus, peak pressure of smooth spheres and hardness \[Pa\].
-pub const MODULUS: f64 = 115e9;
+const MODULUS: f64 = 115e9;
 const PEAK: f64 = 1.37e9;
 const HARDNESS: f64 = 4e9;
 /// Roughness, over which the asperities have the radius 500, and η R σ.
-pub const SIGMA: f64 = 1e-6;
+const SIGMA: f64 = 1e-6;
 const RADIUS: f64 = 500.0;
 const DENSITY: f64 = 0.05;
 /// Values of α by decade from 10⁻² to 10.
@@ -26,14 +26,14 @@ const LOAD: f64 = 80e3;
 const ROUGH: [f64; 7] = [0.5e-6, 1e-6, 2e-6, 3e-6, 5e-6, 10e-6, 20e-6];
 
 /// The scene of a roughness \[m\].
-pub fn scene(sigma: f64) -> Scene {
+fn scene(sigma: f64) -> Scene {
     let radius = RADIUS * sigma;
     let surface = Surface::new(radius, DENSITY / (radius * sigma), sigma);
     Scene::new(Interface::new(MODULUS, 0.3, HARDNESS), surface, 1.0)
 }
 
 /// The radius of spheres with this α, of their patch when smooth \[m\], and their load \[N\].
-pub fn sphere(alpha: f64) -> [f64; 3] {
+fn sphere(alpha: f64) -> [f64; 3] {
     // α = σ/δ with δ = (π p₀/(2 E))² R.
     let slope = PI * PEAK / (2.0 * MODULUS);
     let radius = SIGMA / (alpha * slope * slope);

@@ -14,12 +14,8 @@ use clap::Parser;
 #[derive(Parser)]
 #[command(name = "cargo xtask")]
 enum Study {
-    /// Measure times and errors: figures/speed-vs-error.*, speed-curved.md, hard-cases.csv
-    Report {
-        /// Only curved bodies: figures/speed-curved.md
-        #[arg(long)]
-        curved: bool,
-    },
+    /// Measure times and errors: figures/speed-vs-error.*
+    Report,
     /// Compare every model with boundary elements on random surfaces, in an hour; solved cases are
     /// kept in target/truth: crates/answer/judge/data/truth.csv, figures/truth*.md
     Truth {
@@ -46,7 +42,7 @@ enum Study {
 
 fn main() -> Result<()> {
     let written = match Study::parse() {
-        Study::Report { curved } => report::write(curved)?,
+        Study::Report => report::write()?,
         Study::Truth { kept, anew } => truth::write(!kept, anew)?,
         Study::Small => truth::write_small()?,
         Study::World => truth::world::write()?,

@@ -1,10 +1,7 @@
 //! The words of the figures: titles and captions by name, and what several captions have in common.
 
 use anyhow::{Context, Result};
-use asperity::Evidence;
 use asperity_plot::Figure;
-
-use super::truth::{MOST_SEEDS, PIXELS_PER_WAVE};
 
 const TEXT: &str = include_str!("captions.txt");
 
@@ -31,9 +28,6 @@ fn filled(paragraph: &str) -> String {
         filled = filled.replace(&format!("{{{key}}}"), words);
     }
     filled
-        .replace("{most surfaces}", &MOST_SEEDS.to_string())
-        .replace("{pixels}", &PIXELS_PER_WAVE.to_string())
-        .replace("{hurst}", &Evidence::HURST.to_string())
 }
 
 /// A figure with its title, its caption, to which it adds the paragraphs that it has, and the

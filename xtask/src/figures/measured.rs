@@ -1,42 +1,32 @@
-//! The two pictures of the report, each from the text of its csv.
+//! The picture of the report, from the text of its csv.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use asperity_plot::{
-    Axis, Curve, Legend, Matrix, MatrixCell, Strip, draw, draw_matrix, power_of_ten,
-};
+use asperity_plot::{Axis, Curve, Strip, draw};
 
-use super::captions::{of as caption, with_caption};
+use super::captions::with_caption;
 use super::models::{beside, of, panel};
-use super::report_csv::{BEFORE, ORDINARY, Row, machine, median};
-use crate::folder;
+use super::report_csv::{Row, machine, median};
+use crate::folder::{Fresh, read};
 use crate::table::rows;
 
-/// The pictures by name, drawn from the tables in a folder.
+/// The picture with its name, drawn from the table in a folder.
 ///
 /// # Errors
-/// Tables that are missing or not the errors of the report.
-pub fn pictures(folder: &Path) -> Result<[(String, String); 2]> {
-    let text = |name: &str| folder::read(&folder.join(name));
-    let measured = text("speed-vs-error.md")?;
-    let machine = machine(&measured).context("speed-vs-error.md names no machine")?;
-    Ok([
-        ("speed-vs-error.svg".into(), frontier(&text("speed-vs-error.csv")?, machine)?),
-        ("hard-cases.svg".into(), hard_cases(&text("hard-cases.csv")?)?),
-    ])
+/// A table that is missing or not that of the report.
+pub fn picture(folder: &Path) -> Result<Fresh> {
+    Ok(("speed-vs-error.svg".into(), frontier(&read(&folder.join("speed-vs-error.csv"))?)?))
 }
 
 /// Errors above this count as wrong.
 const WRONG: f64 = 1e-2;
-/// The ends of the axis, at which larger and smaller errors are drawn; the right leaves room for
-/// names.
-const ERRORS: (f64, f64) = (1e-16, 1e4);
+/// The ends of the axis, at which larger and smaller errors are drawn.
+const ERRORS: (f64, f64) = (1e-16, 10.0);
 
 /// The methods in the order of their looks.
-const METHODS: &str = "compiled gauss-legendre-64 rule gauss-kronrod gauss-legendre-split \
-    tanh-sinh gsl scipy simpson trapezoid-1001";
+const METHODS: &str = "compiled gauss-legendre-64 rule gauss-kronrod scipy simpson";
 
 /// The panels and their models.
 const PANELS: [(&str, &str, &[&str]); 2] = [
@@ -63,7 +53,7 @@ fn summary(csv: &str) -> Result<String> {
     let settings = rows.chunk_by(together).flat_map(|rows| rows.iter().enumerate());
     // The worst error and all times of a panel, a method and the number of its setting.
     let mut groups = BTreeMap::<_, (f64, Vec<f64>)>::new();
-    for (setting, row) in settings.filter(|(_, row)| !row.max_relative_error.is_empty()) {
+    for (setting, row) in settings {
         let key = (panel_of(&row.model), &row.method, setting);
         let (worst, times) = groups.entry(key).or_default();
         *worst = worst.max(size(&row.max_relative_error));
@@ -82,7 +72,8 @@ fn summary(csv: &str) -> Result<String> {
 ///
 /// # Errors
 /// A csv that is not `speed-vs-error.csv`.
-fn frontier(csv: &str, machine: &str) -> Result<String> {
+fn frontier(csv: &str) -> Result<String> {
+    let machine = machine(csv).context("speed-vs-error.csv names no machine")?;
     let summary = summary(csv)?;
     let drawn = |key: &str, method: &str| summary.contains(&format!("\n{key},{method},"));
     let mut panels = vec![];
@@ -102,94 +93,35 @@ fn frontier(csv: &str, machine: &str) -> Result<String> {
     panels.retain(|panel| !panel.curves.is_empty());
     let mut figure = beside(1, panels);
     figure.caption = vec![format!("{machine}.")];
-    figure.legend = Legend::Direct;
     Ok(draw(&with_caption("speed-vs-error", figure)?, &summary)?)
-}
-
-/// The worst error of each method (columns) in each family (rows).
-///
-/// # Errors
-/// A csv that is not `hard-cases.csv`.
-fn hard_cases(csv: &str) -> Result<String> {
-    let mut reader = csv::Reader::from_reader(csv.as_bytes());
-    let methods: Vec<String> =
-        reader.headers()?.iter().skip(BEFORE.len()).map(str::to_owned).collect();
-    let rows = reader.records().collect::<Result<Vec<_>, _>>()?;
-    let mut families: Vec<&[_]> = rows.chunk_by(|a, b| a[0] == b[0]).collect();
-    families.sort_by_key(|rows| rows[0][0] != *ORDINARY);
-    let row = |rows: &&[csv::StringRecord]| {
-        let errors = |k: usize| rows.iter().map(move |row| &row[k]).filter(|e| !e.is_empty());
-        let all = BEFORE.len()..BEFORE.len() + methods.len();
-        (rows[0][0].to_owned(), all.map(|k| cell(errors(k).collect())).collect())
-    };
-    let rows = families.iter().map(row).collect();
-    let (title, caption) = caption("hard-cases")?;
-    Ok(draw_matrix(&Matrix { title, caption, columns: methods, rows })?)
-}
-
-/// Errors above this count as off.
-const OFF: f64 = 1e-6;
-
-fn cell(errors: Vec<&str>) -> MatrixCell {
-    let worst = errors.iter().rev().max_by(|a, b| size(a).total_cmp(&size(b)));
-    let Some(worst) = worst else {
-        return MatrixCell { text: "–".into(), ..MatrixCell::default() };
-    };
-    let off = errors.iter().filter(|error| size(error) > OFF).count();
-    let note = format!("{off} of {}", errors.len());
-    // White at 1e-14 and dark at 1; still light at seven digits.
-    let shade = match size(worst) {
-        f64::INFINITY => 1.0,
-        number => 0.9 * ((number.max(1e-300).log10() + 14.0) / 14.0).clamp(0.0, 1.0).powf(1.4),
-    };
-    MatrixCell { text: typeset(worst), note, shade }
-}
-
-/// `1.5e-7` as 1.5·10⁻⁷; a failure unchanged.
-fn typeset(error: &str) -> String {
-    match error.split_once('e').map(|(digits, exponent)| (digits, exponent.parse())) {
-        Some((digits, Ok(0))) => digits.to_owned(),
-        Some((digits, Ok(exponent))) => format!("{digits}·{}", power_of_ten(exponent)),
-        _ => error.to_owned(),
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const CSV: &str = "model,quantity,method,tolerance,median_ns,max_relative_error,evaluations
-ke,force,compiled,1e-3,30,1e-6,4
-ke,force,compiled,1e-5,40,1e-8,8
-ke,force,gauss-legendre-split,,900,1e-3,48
-ke,force,gauss-legendre-split,,1800,1e-5,96
-ke,force,build-law,1e-3,900,,
-jg,force,compiled,1e-3,60,2e-5,4
-jg,force,compiled,1e-5,50,not-converged,8
-jg,force,gauss-legendre-split,,700,1e-2,48
-jg,force,gauss-legendre-split,,1900,1e-6,96
+    const CSV: &str = "# measured on a machine
+model,quantity,method,tolerance,median_ns,max_relative_error
+ke,force,compiled,1e-3,30,1e-6
+ke,force,compiled,1e-5,40,1e-8
+ke,force,scipy,,900,1e-3
+ke,force,scipy,,1800,1e-5
+jg,force,compiled,1e-3,60,2e-5
+jg,force,compiled,1e-5,50,not-converged
+jg,force,scipy,,700,1e-2
+jg,force,scipy,,1900,1e-6
 ";
 
     #[test]
     fn a_marker_is_the_median_time_and_the_worst_error_of_one_setting() -> Result<()> {
         let expected = "panel,method,error,time
 upright,compiled,2e-5,6e1
-upright,gauss-legendre-split,1e-2,9e2
-upright,gauss-legendre-split,1e-5,1.9e3
+upright,scipy,1e-2,9e2
+upright,scipy,1e-5,1.9e3
 ";
         assert_eq!(summary(CSV)?, expected);
-        let svg = frontier(CSV, "a machine")?;
-        assert!(svg.contains("gauss-legendre-split") && svg.contains("a machine."));
+        let svg = frontier(CSV)?;
+        assert!(svg.contains("scipy") && svg.contains("a machine."));
         Ok(())
-    }
-
-    #[test]
-    fn a_cell_has_the_worst_error_and_the_number_of_large_ones() {
-        let number = cell(vec!["1.0e-12", "2.5e-3", "1.0e-14"]);
-        assert_eq!((&*number.text, &*number.note), ("2.5·10⁻³", "1 of 3"));
-        let failure = cell(vec!["zero", "2.5e-3", "1.0e-14"]);
-        assert_eq!((&*failure.text, &*failure.note), ("zero", "2 of 3"));
-        assert!(failure.shade > number.shade && number.shade > cell(vec!["1.0e-12"]).shade);
-        assert_eq!(cell(vec![]).text, "–");
     }
 }

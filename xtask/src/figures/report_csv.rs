@@ -1,4 +1,4 @@
-//! The tables of the report, `speed-vs-error.csv` and `hard-cases.csv`, as they are read.
+//! The table of the report, `speed-vs-error.csv`, as it is read.
 
 use serde::{Deserialize, Serialize};
 
@@ -13,20 +13,11 @@ pub struct Row {
     pub method: String,
     /// The tolerance, of a method that has one.
     pub tolerance: String,
-    /// Median time of one evaluation or of one build \[ns\], if it was taken.
+    /// Median time of one evaluation \[ns\], if it was taken.
     pub median_ns: String,
-    /// Worst error on the hard grid, or a failure; empty for a build.
+    /// Worst error on the hard grid, or a failure.
     pub max_relative_error: String,
-    /// Mean number of evaluations.
-    pub evaluations: String,
 }
-
-/// The columns before the methods'.
-pub const BEFORE: [&str; 6] =
-    ["family", "case", "heights", "model", "quantity", "separation_over_sigma"];
-
-/// The family of the ordinary scenes.
-pub const ORDINARY: &str = "ordinary";
 
 /// The median; `None` without numbers.
 #[must_use]
@@ -35,8 +26,8 @@ pub fn median(mut numbers: Vec<f64>) -> Option<f64> {
     numbers.get(numbers.len() / 2).copied()
 }
 
-/// The machine named in a text.
+/// The machine, which the first line names.
 #[must_use]
-pub fn machine(text: &str) -> Option<&str> {
-    Some(text.split_once("measured on ")?.1.split_once(". Times")?.0)
+pub fn machine(csv: &str) -> Option<&str> {
+    csv.lines().next()?.strip_prefix("# measured on ")
 }

@@ -8,12 +8,6 @@ use super::compared::{is_plain, material};
 use super::models::{self, beside, of, panel};
 use crate::table::Table;
 
-/// Pixels per shortest wave of the solved surfaces.
-pub const PIXELS_PER_WAVE: f64 = 8.0;
-/// Most surfaces of a case: of broad spectra, which have few contacts, under light loads, which
-/// cost little.
-pub const MOST_SEEDS: u64 = 64;
-
 /// A figure: the name of its files, what it compares, its axis, and the ends of that.
 pub type Shown = (&'static str, Compared, &'static str, [f64; 2]);
 

@@ -63,7 +63,7 @@ pub enum PlotError {
         /// What was required.
         required: &'static str,
     },
-    /// A matrix or a map with an unsuitable number of cells.
+    /// A map with an unsuitable number of cells.
     #[error("the number of cells differs from {rows} rows of {columns} columns, or is 0")]
     Cells {
         /// Names of rows.

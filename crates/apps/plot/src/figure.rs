@@ -17,8 +17,6 @@ pub struct Figure {
     pub panels: Vec<Panel>,
     /// Panels beside each other; fewer than two for one above the other.
     pub columns: usize,
-    /// Place of the names of curves.
-    pub legend: Legend,
     /// Width and height in pixels of a small picture of one panel, which has less room around it;
     /// letters keep their size.
     pub size: Option<[f64; 2]>,
@@ -31,18 +29,6 @@ impl Figure {
         let caption = caption.iter().map(|part| (*part).to_owned()).collect();
         Self { title: title.into(), caption, panels, ..Self::default() }
     }
-}
-
-/// Place of the names of curves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum Legend {
-    /// In a box below all panels, each key with line and marker.
-    #[default]
-    Below,
-    /// Beside a point of each curve, for few, well separated points. A curve without a name has
-    /// none.
-    Direct,
 }
 
 /// One pair of axes with its curves.

@@ -1,7 +1,7 @@
 //! The layout of a figure: margins from the width of labels, then the frames.
 
 use crate::canvas::{Canvas, Rect, Type};
-use crate::figure::{self, Figure};
+use crate::figure::Figure;
 use crate::legend::Legend;
 use crate::panel::Plot;
 use crate::size::{EDGE, SMALL, TITLE, WIDTH, least_height};
@@ -26,8 +26,7 @@ impl<'a> Layout<'a> {
         let title = wrap(&figure.title, TITLE, width - 2.0 * edge);
         let caption = caption_lines(&figure.caption);
         let legend = Legend::new(plots, width - 2.0 * edge);
-        let legend =
-            (figure.legend == figure::Legend::Below && !legend.is_empty()).then_some(legend);
+        let legend = (!legend.is_empty()).then_some(legend);
         let legend_height = legend.as_ref().map_or(0.0, |legend| legend.height + 4.0);
         let caption_height = if caption.is_empty() { 0.0 } else { lines_height(&caption) + 9.0 };
         let tail = legend_height + caption_height + edge;

@@ -27,7 +27,6 @@ mod canvas;
 mod clip;
 #[cfg(feature = "scan")]
 mod contact;
-mod direct;
 mod error;
 mod figure;
 mod layout;
@@ -35,7 +34,6 @@ mod legend;
 mod looks;
 #[cfg(feature = "scan")]
 mod map;
-mod matrix;
 mod panel;
 mod ruler;
 #[cfg(feature = "scan")]
@@ -49,11 +47,10 @@ mod trace;
 #[cfg(feature = "scan")]
 pub use contact::largest_of;
 pub use error::PlotError;
-pub use figure::{Axis, Between, Figure, Legend, Mark, Panel, Scale, Strip};
+pub use figure::{Axis, Between, Figure, Mark, Panel, Scale, Strip};
 pub use looks::{MEASURED, look_of};
 #[cfg(feature = "scan")]
 pub use map::{Map, draw_map, map_png};
-pub use matrix::{Matrix, MatrixCell, draw_matrix};
 #[cfg(feature = "scan")]
 pub use scan::{caption_of_surface, draw_material_ratio, draw_surface};
 pub use style::Curve;

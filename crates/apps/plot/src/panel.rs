@@ -5,9 +5,8 @@ use plotters::style::{Color, IntoFont, RGBColor, TextStyle};
 
 use crate::canvas::{Canvas, Rect, Type, fine};
 use crate::clip;
-use crate::direct;
 use crate::error::PlotError;
-use crate::figure::{Figure, Legend, Panel, Strip};
+use crate::figure::{Figure, Panel, Strip};
 use crate::ruler::Ruler;
 use crate::series::{self, Area, CsvTable, Point, Series};
 use crate::size::{LABEL, LEAST, SMALL, TICK, TITLE_GAP, labels_that_fit};
@@ -34,7 +33,6 @@ pub(crate) struct Plot<'a> {
     areas: Vec<Area<'a>>,
     x: Ruler,
     y: Ruler,
-    legend: Legend,
     /// The least size of the name of the vertical axis.
     least: f64,
 }
@@ -68,7 +66,7 @@ impl<'a> Plot<'a> {
         let x = Ruler::new(&panel.x, shown, only_points, across)?;
         let shown = points().filter(|point| x.holds(point.0)).map(|point| point.1);
         let y = Ruler::new(&panel.y, shown, !panel.stacked, down)?;
-        Ok(Self { panel, heading, series, areas, x, y, legend: figure.legend, least })
+        Ok(Self { panel, heading, series, areas, x, y, least })
     }
 
     /// Room to the left of the frame.
@@ -116,9 +114,6 @@ impl<'a> Plot<'a> {
         }
         canvas.outline(frame, BLACK, 1.3);
         self.labels(canvas, frame);
-        if self.legend == Legend::Direct {
-            direct::draw(canvas, frame, &self.series, &traces, &markers);
-        }
         self.readings(canvas, frame);
         Ok(())
     }

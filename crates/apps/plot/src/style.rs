@@ -78,8 +78,7 @@ pub(crate) const WHITE: Colour = "#FFFFFF";
 pub(crate) const DARK_GREY: Colour = "#464646";
 pub(crate) const GREY: Colour = "#878787";
 const LIGHT_GREY: Colour = "#A8A8A8";
-/// The dark end of a matrix: indigo of Paul Tol's muted scheme.
-pub(crate) const INDIGO: Colour = "#332288";
+const INDIGO: Colour = "#332288";
 
 /// Colours of Okabe and Ito (the green a little darker, without the yellow), indigo and wine of
 /// Paul Tol's muted scheme, and grey; neighbours differ in luminance.

@@ -1,18 +1,15 @@
-//! Our own methods: laws and compiled scenes, each built once for all methods and points, their
-//! values, and the cost of building them.
+//! Our own methods: laws and compiled scenes, each built once for all methods and points, and their
+//! values.
 
 use std::collections::HashMap;
-use std::hint::black_box;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use asperity::{Contact, HeightDistribution, Law, Model, Quantity, Request, Tolerance};
-use asperity_quadrature::{AnyScale, QuadratureError};
+use asperity::{Contact, Request, Tolerance};
+use asperity_quadrature::AnyScale;
 
-use super::problem::{
-    INTEGRALS, Job, NOT_CONVERGED, Outcome, Problem, SEPARATIONS, integrated, law_behind, scenes,
-};
+use super::problem::{INTEGRALS, Job, NOT_CONVERGED, Outcome, Problem, integrated, law_behind};
 use xtask::figures::report_csv::median;
 
 /// Most batches of a time, the least duration of one, and of all where there are three.
@@ -81,87 +78,23 @@ impl Laws {
 pub fn compiled(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
     let (quantity, separation) = (problem.quantity, problem.separation);
     let compiled = laws.scene(problem, tolerance)?;
-    // Exponential heights have one integral for all separations.
-    let request = Request::new([quantity]).within(Tolerance::new(tolerance)?).at([separation]);
-    let plan = compiled.plan(&request)?;
-    let step = plan.steps.iter().find(|step| step.quantities.contains(&quantity));
-    let evaluations = Some(step.and_then(|step| step.terms).map_or(1, |(_, most)| most));
     Ok(Box::new(move || {
         let found = compiled.evaluate(quantity, separation).map_err(|_| NOT_CONVERGED)?;
-        Ok(Outcome { value: found.scaled, scaled: true, evaluations })
+        Ok(Outcome { value: found.scaled, scaled: true })
     }))
 }
 
 /// A value on a scene that is not compiled, as in sweeps.
 pub fn rule(laws: &Laws, problem: &Problem, tolerance: f64) -> Result<Job> {
-    if !matches!(problem.scene.heights, HeightDistribution::Gaussian) {
-        return compiled(laws, problem, tolerance);
-    }
     let rules = laws.rules(problem, tolerance)?;
     let (scale, s, slope) = (problem.scale(), problem.separation, problem.slope());
     let factor = problem.in_units(1.0);
-    let evaluations = rule_terms(&rules, problem).ok();
     Ok(Box::new(move || {
         let found = if slope { rules.at(s, scale) } else { rules.value(s, scale) };
         let found = found.map_err(|_| NOT_CONVERGED)?;
         let value = factor * if slope { found.slope } else { found.value };
-        Ok(Outcome { value, scaled: true, evaluations })
+        Ok(Outcome { value, scaled: true })
     }))
-}
-
-/// Terms of a value of a rule; samples of the law where the point has no rule and is integrated.
-fn rule_terms(rules: &AnyScale, problem: &Problem) -> Result<usize, QuadratureError> {
-    let (separation, scale) = (problem.separation, problem.scale());
-    match rules.terms(separation, scale)? {
-        0 => {
-            let before = rules.evaluations();
-            rules.value(separation, scale)?;
-            Ok(rules.evaluations() - before)
-        }
-        terms => Ok(terms),
-    }
-}
-
-/// Time \[ns\] to build the law behind a quantity and its tables. Tables are filled when first
-/// sampled, so the time of sampling an existing law is subtracted.
-pub fn build_law(model: &Model, quantity: Quantity, tolerance: f64) -> Result<f64> {
-    let scenes = scenes()?;
-    let asperity = scenes[0].asperity()?;
-    let build = || law_behind(black_box(model), quantity, &asperity, tolerance);
-    let existing = build()?;
-    sample(&existing)?;
-    let sampling = median_ns(|| drop(black_box(sample(black_box(&existing)))));
-    let both = median_ns(|| drop(black_box(build().map(|law| sample(&law)))));
-    Ok((both - sampling).max(0.0))
-}
-
-/// Samples a law over the range of the speed table, x = 1e-4 to 1e4.
-fn sample(law: &Law) -> Result<f64, QuadratureError> {
-    let points = (0..=80).map(|k| 10f64.powf(f64::from(k) * 0.1 - 4.0) * law.interference_unit);
-    points.map(|w| law.value(w)).sum()
-}
-
-/// Time \[ns\] to compile a scene for all separations of the speed table, with its law built, and
-/// the number of samples of the law.
-pub fn build_scene(model: &Model, quantity: Quantity, tolerance: f64) -> Result<(f64, f64)> {
-    let scenes = scenes()?;
-    let request = Request::new([quantity]).within(Tolerance::new(tolerance)?).at(SEPARATIONS);
-    let base = model.compile(&scenes[0], &request)?;
-    let mut samples = 0;
-    for scene in &scenes {
-        // Also fills the tables of the law.
-        let plan = base.on(scene)?.plan(&request)?;
-        samples += plan.steps.iter().map(|step| step.samples).sum::<usize>();
-    }
-    let time = median_ns(|| {
-        for scene in &scenes {
-            let _ = black_box(base.on(black_box(scene)).and_then(|ready| {
-                SEPARATIONS.iter().try_for_each(|s| ready.evaluate(quantity, *s).map(|_| ()))
-            }));
-        }
-    });
-    let count = scenes.len() as f64;
-    Ok((time / count, samples as f64 / count))
 }
 
 /// Median time of one call \[ns\] over at least three batches, after two warm-up calls.

@@ -4,9 +4,7 @@
 use std::sync::Arc;
 
 use anyhow::Result;
-use asperity::{
-    Asperity, HeightDistribution, Law, Model, Part, Quantity, Scene, Surface, Tolerance,
-};
+use asperity::{Asperity, Law, Model, Part, Quantity, Scene, Surface, Tolerance};
 use asperity_quadrature::{QuadratureError, Sampler, reach};
 use xtask::figures::models::{NOMINAL_AREA, interface};
 
@@ -98,12 +96,6 @@ impl Problem {
         is_slope(&self.model, self.quantity)
     }
 
-    /// Whether heights are exponential; otherwise they are Gaussian.
-    #[must_use]
-    pub fn exponential(&self) -> bool {
-        matches!(self.scene.heights, HeightDistribution::Exponential)
-    }
-
     /// The law over its unit at x = w over the interference unit: the parts of one sign, or all.
     #[must_use]
     pub fn law_at(&self, x: f64, sign: Option<f64>) -> f64 {
@@ -118,11 +110,7 @@ impl Problem {
     #[must_use]
     pub fn breaks(&self) -> Vec<f64> {
         let s = self.separation;
-        let (low, high) = match (self.exponential(), s >= 0.0) {
-            (false, _) => ((-s - (2.0 * CUT).sqrt()).max(0.0), reach(s)),
-            (true, true) => (0.0, CUT),
-            (true, false) => (-s, CUT - s),
-        };
+        let (low, high) = ((-s - (2.0 * CUT).sqrt()).max(0.0), reach(s));
         let scale = self.scale();
         let inside = self.law.kinks().into_iter().map(|x| x * scale).chain([-s]);
         let mut breaks: Vec<f64> = inside.filter(|t| *t > low && *t < high).collect();
@@ -131,14 +119,10 @@ impl Problem {
         breaks
     }
 
-    /// The density at s + t over its scale, exp(-s²/2) or exp(-s) for s > 0, and the factor of a
-    /// slope.
+    /// The density at s + t over its scale, exp(-s²/2) for s > 0, and the factor of a slope.
     #[must_use]
     pub fn weight(&self, t: f64) -> f64 {
         let s = self.separation;
-        if self.exponential() {
-            return (-(t + s.min(0.0))).exp();
-        }
         let exponent = if s >= 0.0 { t * (s + 0.5 * t) } else { 0.5 * (s + t) * (s + t) };
         let weight = (-exponent).exp() * INV_SQRT_2PI;
         if self.slope() { weight * (s + t) } else { weight }
@@ -149,45 +133,19 @@ impl Problem {
     pub fn plain_integrand(&self, z: f64) -> f64 {
         let std = self.std();
         let (interference, zeta) = (z - self.separation * std, z / std);
-        if interference <= 0.0 || self.exponential() && zeta < 0.0 {
+        if interference <= 0.0 {
             return 0.0;
         }
-        let density = match self.exponential() {
-            true => (-zeta).exp(),
-            false => (-0.5 * zeta * zeta).exp() * INV_SQRT_2PI,
-        };
-        let density = if self.slope() && !self.exponential() { density * zeta } else { density };
+        let density = (-0.5 * zeta * zeta).exp() * INV_SQRT_2PI;
+        let density = if self.slope() { density * zeta } else { density };
         self.law_at(interference / self.law.interference_unit, None) * density / std
     }
 
-    /// Lower end of the plain integral \[m\].
-    #[must_use]
-    pub fn plain_start(&self) -> f64 {
-        let start = self.separation * self.std();
-        if self.exponential() { start.max(0.0) } else { start }
-    }
-
-    /// An integral in SI units. For exponential heights below d = 0, the surface moves with its
-    /// lowest asperity, and the law's value there is subtracted from the slope.
+    /// An integral in SI units.
     #[must_use]
     pub fn in_units(&self, integral: f64) -> f64 {
         let unit = self.scene.asperities() * self.law.value_unit;
-        if !self.slope() {
-            return unit * integral;
-        }
-        let lowest = if self.exponential() && self.separation < 0.0 {
-            self.law_at(-self.separation / self.scale(), None)
-        } else {
-            0.0
-        };
-        unit * (integral - lowest) / self.std()
-    }
-
-    /// Logarithm of the scale, -max(s,0)²/2 or -max(s,0).
-    #[must_use]
-    pub fn ln_scale(&self) -> f64 {
-        let s = self.separation.max(0.0);
-        if self.exponential() { -s } else { -0.5 * s * s }
+        if self.slope() { unit * integral / self.std() } else { unit * integral }
     }
 }
 
@@ -201,14 +159,14 @@ fn part_at(part: &Part, x: f64) -> f64 {
 /// w_c/σ_z at which times are taken.
 const SCALES: [f64; 7] = [3e-3, 1e-2, 3e-2, 1e-1, 3e-1, 1.0, 3.0];
 /// d/σ_z at which times are taken.
-pub const SEPARATIONS: [f64; 8] = [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+const SEPARATIONS: [f64; 8] = [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
 
 /// The paper's asperity on surfaces of different roughness, one for each w_c/σ_z: the law is the
 /// same on all.
 ///
 /// # Errors
 /// Only if the paper's asperity is refused.
-pub fn scenes() -> Result<Vec<Scene>> {
+fn scenes() -> Result<Vec<Scene>> {
     let radius = 3.6e-4;
     let scene = |std: f64| Scene::new(interface(), Surface::new(radius, 1e8, std), NOMINAL_AREA);
     let critical = scene(1e-6).asperity()?.critical_interference()?;
@@ -237,10 +195,8 @@ pub fn points(model: &Model, quantity: Quantity) -> Result<Vec<Arc<Problem>>> {
 pub struct Outcome {
     /// In SI units.
     pub value: f64,
-    /// Whether the value is divided by its scale, exp of `Problem::ln_scale`.
+    /// Whether the value is divided by its scale, exp(-s²/2) for s > 0.
     pub scaled: bool,
-    /// Evaluations of the integrand, or of an exponential for a rule whose weight contains the law.
-    pub evaluations: Option<usize>,
 }
 
 /// The reason for a missing number, as it stands in a table.

@@ -1,26 +1,23 @@
-//! The two tables: times, errors and evaluations of every method and setting, and the errors on
-//! each hard case.
+//! The table: times and errors of every method and setting.
 
 use std::hint::black_box;
 use std::sync::Arc;
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Result, ensure};
 use asperity::{Model, Quantity};
 use rayon::prelude::*;
 
 use super::cases::{self, Case};
-use super::external::{self, External};
-use super::methods::{HARD_TOLERANCE, METHODS, Method, Setting};
+use super::methods::{METHODS, Method};
 use super::ours::{self, Laws};
 use super::problem::{
     Failure, INTEGRALS, Job, Problem, ZERO, integrated, is_slope, points, tightest,
 };
-use xtask::figures::report_csv::{BEFORE, Row};
+use super::scipy::{Scipy, can_take};
+use xtask::figures::report_csv::Row;
 
 /// Loosest first.
 const TOLERANCES: [f64; 7] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-10, 1e-11, 1e-13];
-/// Of the rule that has a number of points.
-const POINTS: [usize; 4] = [16, 32, 64, 128];
 
 /// Every model with every integral.
 pub fn pairs() -> Vec<(Model, Quantity)> {
@@ -31,8 +28,8 @@ pub fn pairs() -> Vec<(Model, Quantity)> {
 /// The worst of some errors: the largest, or a failure.
 type Worst = Result<f64, Failure>;
 
-/// Time \[ns\], worst error and mean number of evaluations of a setting.
-type Measured = (Option<f64>, Option<Worst>, Option<f64>);
+/// Time \[ns\] and worst error of a setting.
+type Measured = (Option<f64>, Worst);
 
 /// The larger error; a failure is worse than any error, and the failure "zero" is an error of 1.
 fn worse(a: Worst, b: Worst) -> Worst {
@@ -43,52 +40,41 @@ fn worse(a: Worst, b: Worst) -> Worst {
 fn row(
     (model, quantity): &(Model, Quantity),
     method: &str,
-    setting: Setting,
-    (time, worst, evaluations): Measured,
+    tolerance: Option<f64>,
+    (time, worst): Measured,
 ) -> Row {
-    let tolerance = match setting {
-        Setting::Tolerance(tolerance) => format!("{tolerance:e}"),
-        _ => String::new(),
-    };
     Row {
         model: model.id().into(),
         quantity: quantity.to_string(),
         method: method.into(),
-        tolerance,
+        tolerance: tolerance.map(|tolerance| format!("{tolerance:e}")).unwrap_or_default(),
         median_ns: time.map(significant).unwrap_or_default(),
-        max_relative_error: worst.map(error_text).unwrap_or_default(),
-        evaluations: evaluations.map(|count| format!("{count:.1}")).unwrap_or_default(),
+        max_relative_error: worst.map_or_else(Into::into, |error| format!("{error:.1e}")),
     }
 }
 
-/// `speed-vs-error.csv` and `hard-cases.csv`; with times and the cost of building if they are
-/// taken, and of other libraries.
+/// `speed-vs-error.csv`; with scipy's rows, and with times, if scipy is given.
 ///
 /// # Errors
-/// When the library refuses a case, or another library's process fails.
-pub fn write(
-    pairs: &[(Model, Quantity)],
-    timed: bool,
-    libraries: &[External],
-) -> Result<(String, String)> {
+/// When the library refuses a case, or scipy's process fails.
+pub fn write(pairs: &[(Model, Quantity)], scipy: Option<&Scipy>) -> Result<String> {
     let laws = Laws::default();
     let cases = cases::read(&laws, pairs)?;
-    let run = Run { laws, cases, timed, libraries };
+    let run = Run { laws, cases, scipy };
     let mut csv = csv::Writer::from_writer(vec![]);
     for pair in pairs {
-        if timed {
+        if scipy.is_some() {
             eprintln!("{} {}", pair.0, pair.1);
         }
         run.rows(pair)?.iter().try_for_each(|row| csv.serialize(row))?;
     }
-    Ok((String::from_utf8(csv.into_inner()?)?, run.hard()?))
+    Ok(String::from_utf8(csv.into_inner()?)?)
 }
 
 struct Run<'a> {
     laws: Laws,
     cases: Vec<Case>,
-    timed: bool,
-    libraries: &'a [External],
+    scipy: Option<&'a Scipy>,
 }
 
 impl Run<'_> {
@@ -98,37 +84,29 @@ impl Run<'_> {
         let integral = |quantity| (integrated(model, quantity), is_slope(model, quantity));
         let wanted = |case: &&Case| {
             let Problem { model: other, quantity: of_case, .. } = &*case.problem;
-            let same = integral(*of_case) == integral(*quantity);
-            case.on_hard_grid() && other.id() == model.id() && same
+            integral(*of_case) == integral(*quantity) && other.id() == model.id()
         };
         self.cases.iter().filter(wanted).collect()
     }
 
-    /// The rows of our methods, of building, and of other libraries, for the laws that they can
-    /// integrate.
+    /// The rows of our methods, and of scipy for the laws that it can integrate.
     fn rows(&self, pair: &(Model, Quantity)) -> Result<Vec<Row>> {
         let (points, grid) = (points(&pair.0, pair.1)?, self.grid(pair));
         ensure!(!grid.is_empty(), "no hard case of {} {}", pair.0, pair.1);
         let mut rows = vec![];
-        let mut add = |name, setting, found: Measured| rows.push(row(pair, name, setting, found));
         let tolerances: Vec<f64> =
             TOLERANCES.into_iter().filter(|t| *t >= tightest(&pair.0)).collect();
-        for (method, name, _) in METHODS {
-            for setting in method.settings(&tolerances, &POINTS) {
-                add(name, setting, self.own((method, setting), &points, &grid)?);
+        for (method, name) in METHODS {
+            for tolerance in method.settings(&tolerances) {
+                let found = self.own((method, tolerance), &points, &grid)?;
+                rows.push(row(pair, name, tolerance, found));
             }
         }
-        for &tolerance in tolerances.iter().filter(|_| self.timed) {
-            let law = ours::build_law(&pair.0, pair.1, tolerance)?;
-            let (scene, samples) = ours::build_scene(&pair.0, pair.1, tolerance)?;
-            add("build-law", Setting::Tolerance(tolerance), (Some(law), None, None));
-            add("build-scene", Setting::Tolerance(tolerance), (Some(scene), None, Some(samples)));
-        }
-        let can_take = points.iter().all(|point| external::can_take(point));
-        for library in self.libraries.iter().filter(|_| can_take) {
+        let can_take = points.iter().all(|point| can_take(point));
+        for scipy in self.scipy.into_iter().filter(|_| can_take) {
             for &tolerance in &tolerances {
-                let found = external(library, tolerance, &points, &grid)?;
-                add(library.name, Setting::Tolerance(tolerance), found);
+                let found = by_scipy(scipy, tolerance, &points, &grid)?;
+                rows.push(row(pair, "scipy", Some(tolerance), found));
             }
         }
         Ok(rows)
@@ -136,11 +114,11 @@ impl Run<'_> {
 
     fn own(
         &self,
-        (method, setting): (Method, Setting),
+        (method, tolerance): (Method, Option<f64>),
         points: &[Arc<Problem>],
         grid: &[&Case],
     ) -> Result<Measured> {
-        let job = |problem: &Arc<Problem>| method.prepare(&self.laws, problem, setting);
+        let job = |problem: &Arc<Problem>| method.prepare(&self.laws, problem, tolerance);
         let jobs = points.iter().map(job).collect::<Result<Vec<Job>>>()?;
         // The time of a failure counts as well.
         let all = || {
@@ -148,80 +126,32 @@ impl Run<'_> {
                 let _ = black_box(black_box(job)());
             });
         };
-        let time = self.timed.then(|| ours::median_ns(all) / jobs.len() as f64);
+        let time = self.scipy.map(|_| ours::median_ns(all) / jobs.len() as f64);
         let errors = grid.par_iter().map(|case| Ok(case.error(job(&case.problem)?())));
         let errors = errors.collect::<Result<Vec<Worst>>>()?;
-        let counts = jobs.iter().filter_map(|job| job().ok()?.evaluations);
-        Ok((time, Some(errors.into_iter().fold(Ok(0.0), worse)), mean(counts)))
-    }
-
-    /// `hard-cases.csv`: a row for each case and a column for each method, with errors relative to
-    /// the sum of sizes, failures, or empty cells for cases that a method cannot integrate.
-    fn hard(&self) -> Result<String> {
-        let mut columns: Vec<(&str, Vec<String>)> = vec![];
-        for (method, name, _) in METHODS {
-            let error = |case: &Case| {
-                let job = method.prepare(&self.laws, &case.problem, method.on_hard_cases())?;
-                Ok(error_text(case.error(job())))
-            };
-            columns.push((name, self.cases.par_iter().map(error).collect::<Result<_>>()?));
-        }
-        for library in self.libraries {
-            let given = |case: &&Case| external::can_take(&case.problem);
-            let tasks = self.cases.iter().filter(given);
-            let tasks = tasks.map(|case| (HARD_TOLERANCE, 0, case.problem.clone()));
-            let mut answers = library.run(&tasks.collect::<Vec<_>>())?.into_iter();
-            let error = |case: &Case| match given(&case).then(|| answers.next()).flatten() {
-                Some((found, _)) => error_text(case.error(found)),
-                None => String::new(),
-            };
-            columns.push((library.name, self.cases.iter().map(error).collect()));
-        }
-        let mut csv = csv::Writer::from_writer(vec![]);
-        csv.write_record(BEFORE.into_iter().chain(columns.iter().map(|column| column.0)))?;
-        for (k, case) in self.cases.iter().enumerate() {
-            let Problem { model, quantity, scene, separation, .. } = &*case.problem;
-            let [quantity, separation] = [quantity.to_string(), separation.to_string()];
-            let heights = scene.heights.name();
-            let cells = [&*case.family, &case.name, heights, model.id(), &quantity, &separation];
-            csv.write_record(cells.into_iter().chain(columns.iter().map(|c| c.1[k].as_str())))?;
-        }
-        Ok(String::from_utf8(csv.into_inner().context("hard-cases.csv")?)?)
+        Ok((time, errors.into_iter().fold(Ok(0.0), worse)))
     }
 }
 
-fn external(
-    library: &External,
+fn by_scipy(
+    scipy: &Scipy,
     tolerance: f64,
     points: &[Arc<Problem>],
     grid: &[&Case],
 ) -> Result<Measured> {
     let timed = points.iter().map(|point| (tolerance, 5, point.clone()));
     let errors = grid.iter().map(|case| (tolerance, 0, case.problem.clone()));
-    let answers = library.run(&timed.chain(errors).collect::<Vec<_>>())?;
+    let answers = scipy.run(&timed.chain(errors).collect::<Vec<_>>())?;
     let (timed, solved) = answers.split_at(points.len());
     let time = timed.iter().map(|(_, ns)| ns).sum::<f64>() / points.len() as f64;
-    let counts = timed.iter().filter_map(|(found, _)| (*found).ok()?.evaluations);
     let errors = grid.iter().zip(solved).map(|(case, (found, _))| case.error(*found));
-    Ok((Some(time), Some(errors.fold(Ok(0.0), worse)), mean(counts)))
-}
-
-/// The mean; `None` without numbers.
-fn mean(counts: impl Iterator<Item = usize>) -> Option<f64> {
-    let (count, sum) = counts.fold((0, 0), |(count, sum), n| (count + 1, sum + n));
-    (count > 0).then(|| sum as f64 / f64::from(count))
+    Ok((Some(time), errors.fold(Ok(0.0), worse)))
 }
 
 /// A number to three significant digits.
-#[must_use]
-pub fn significant(number: f64) -> String {
+fn significant(number: f64) -> String {
     let decimals = (2.0 - number.abs().max(1e-2).log10().floor()).max(0.0) as usize;
     format!("{number:.decimals$}")
-}
-
-/// Two digits, or the name of a failure.
-fn error_text(error: Worst) -> String {
-    error.map_or_else(Into::into, |error| format!("{error:.1e}"))
 }
 
 #[cfg(test)]

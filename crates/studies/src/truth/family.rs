@@ -5,11 +5,12 @@ use asperity::bem::RandomSurface;
 use asperity::{At, Compared, Evidence, EvidenceCase, Interface, Scene, Surface};
 
 use xtask::figures::compared::equal;
-use xtask::figures::truth::PIXELS_PER_WAVE;
 
 /// Root mean square gradient. E g is the unit of pressures, so that neither E nor g changes a
 /// result.
 pub const GRADIENT: f64 = Evidence::GRADIENT;
+/// Pixels per shortest wave.
+const PIXELS_PER_WAVE: f64 = 8.0;
 /// E \[Pa\].
 pub const MODULUS: f64 = 1e11;
 const POISSON: f64 = 0.3;

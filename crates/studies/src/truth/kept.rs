@@ -36,8 +36,6 @@ pub struct Contact {
     pub unloading_stiffness: f64,
     /// Patches of at least 12 pixels.
     pub patches: f64,
-    /// Pixels in contact.
-    pub pixels: f64,
 }
 
 /// Cases in a folder: a file for each, a line for a surface.

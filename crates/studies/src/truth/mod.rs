@@ -6,7 +6,6 @@
 //! follow from that text alone.
 
 pub mod family;
-mod feeding;
 mod kept;
 mod ordinary;
 mod plan;
@@ -15,7 +14,6 @@ mod rows;
 pub mod scans;
 mod solve;
 pub mod world;
-mod yielded;
 
 use std::path::PathBuf;
 
@@ -49,8 +47,6 @@ pub fn write(solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
     let tables = [
         ("", Some(ranges::table(&evidence))),
         ("-ordinary", ordinary::table(&evidence, &kept)?),
-        ("-shapes", Some(feeding::table(&evidence)?)),
-        ("-yielded", Some(yielded::table(&evidence)?)),
         ("-scans", Some(scans::table(&evidence, &scans::read()?)?)),
     ];
     let named = |(name, table): (&str, Option<String>)| Some((format!("truth{name}.md"), table?));

@@ -24,15 +24,13 @@ boundary elements, and the bandwidths that were solved.
 const SHAPES: [(f64, f64); 6] =
     [(-2.0, 1.0), (-1.0, 1.0), (1.0, 1.0), (0.0, 2.0), (0.0, 4.0), (0.0, 8.0)];
 /// The name of a skewness or of a ratio of slopes.
-#[must_use]
-pub fn shape_name(skewness: f64, slope_ratio: f64) -> String {
+fn shape_name(skewness: f64, slope_ratio: f64) -> String {
     let is_lay = slope_ratio > 1.0;
     if is_lay { format!("lay {slope_ratio}") } else { format!("skewness {skewness:+}") }
 }
 
 /// The lowest and the highest deviation as a cell.
-#[must_use]
-pub fn ends(off: impl IntoIterator<Item = f64>) -> String {
+fn ends(off: impl IntoIterator<Item = f64>) -> String {
     let nothing = (f64::INFINITY, f64::NEG_INFINITY);
     let (low, high) = off.into_iter().fold(nothing, |(l, h), x| (l.min(x), h.max(x)));
     if low > high { NOTHING.into() } else { format!("{low:+.0} to {high:+.0}") }

@@ -3,10 +3,10 @@
 use anyhow::{Result, bail};
 use asperity::{
     At, Compared, Contact, ContactError, ContactModel, Evidence, EvidenceCase, Model, Quantity,
-    Request, Scene, Tolerance,
+    Request, Scene,
 };
 
-use super::family::{FAMILIES, GRADIENT, MODULUS, scene, unit};
+use super::family::{FAMILIES, pressure, scene, unit};
 use super::kept::{self, Kept};
 use super::plan::{Case, Scope, cases};
 use xtask::figures::compared::{equal, models};
@@ -72,10 +72,7 @@ fn lines(rows: &[(Case, Bem)]) -> Result<String> {
     let Some((Case { family, index, .. }, _)) = rows.first() else { return Ok(String::new()) };
     let surface = family.surface(family.pixels)?;
     let (scene, moments) = (scene(&surface, *index)?, surface.moments());
-    let known = [Quantity::Area, Quantity::Tangent, Quantity::UnloadingStiffness];
-    // Some have no contact radii.
-    let compiled = |model| compiled(model, &scene, &known, 2, Tolerance::default());
-    let contacts: Vec<_> = models().iter().map(compiled).collect();
+    let contacts: Vec<_> = models().iter().map(|model| compiled(model, &scene)).collect();
     let four = |number| short(number, 3);
     let mut text = String::new();
     for (case, bem) in rows {
@@ -109,7 +106,7 @@ fn lines(rows: &[(Case, Bem)]) -> Result<String> {
 /// A quantity of a model, over its unit on a surface of this Sq; `None` where it has none.
 fn value(quantity: Compared, contact: &dyn Contact, load: f64, sq: f64) -> Result<Option<f64>> {
     use ContactError::{Integral, NotRequested, Unsupported};
-    match quantity.of_contact(contact, At::Pressure(load * MODULUS * GRADIENT)) {
+    match quantity.of_contact(contact, pressure(load)) {
         Ok(found) => Ok(Some(found / unit(quantity, contact.scene(), sq))),
         // Gao and AT miss their tolerance at some loads, and have no contact radii.
         Err(Integral { .. } | NotRequested { .. } | Unsupported { .. }) => Ok(None),
@@ -118,17 +115,12 @@ fn value(quantity: Compared, contact: &dyn Contact, load: f64, sq: f64) -> Resul
     }
 }
 
-/// A model compiled for quantities, or for the first of them if it does not have the others.
-pub fn compiled(
-    model: &Model,
-    scene: &Scene,
-    known: &[Quantity],
-    first: usize,
-    tolerance: Tolerance,
-) -> Option<Box<dyn Contact>> {
-    [known, &known[..first]].iter().find_map(|known| {
-        let request = Request::new(known.iter().copied()).within(tolerance);
-        model.compile(scene, &request.at([At::Pressure(1.0)])).ok()
+/// A model compiled for what is compared; some have no contact radii, and no unloading stiffness.
+fn compiled(model: &Model, scene: &Scene) -> Option<Box<dyn Contact>> {
+    let all = [Quantity::Area, Quantity::Tangent, Quantity::UnloadingStiffness];
+    [&all[..], &all[..2]].iter().find_map(|known| {
+        let request = Request::new(known.iter().copied()).at([At::Pressure(1.0)]);
+        model.compile(scene, &request).ok()
     })
 }
 

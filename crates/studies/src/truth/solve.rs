@@ -89,7 +89,6 @@ fn light(found: &LightContact) -> Contact {
         gap: found.mean_gap,
         unloading_stiffness: found.unloading_stiffness,
         patches: count(&found.patches),
-        pixels: found.pressures.len() as f64,
         ..Contact::default()
     }
 }
@@ -105,7 +104,6 @@ fn heavy(elements: &BoundaryElements, pressures: &[f64], around: usize) -> Resul
             gap: found.mean_gap,
             unloading_stiffness: unloading.map_or(0.0, |fixed| fixed.stiffness),
             patches: count(&found.patches),
-            pixels: found.patches.iter().sum::<usize>() as f64,
             ..Contact::default()
         })
     };

@@ -30,6 +30,20 @@ pub fn inverse(n: usize) -> Arc<dyn Fft<f64>> {
     rustfft::FftPlanner::new().plan_fft_inverse(n)
 }
 
+/// The least product of 2, 3 and 5 that is not below `length`, whose transforms are fast.
+#[must_use]
+pub fn fast_length(length: usize) -> usize {
+    let smooth = |mut n: usize| {
+        for factor in [2, 3, 5] {
+            while n.is_multiple_of(factor) {
+                n /= factor;
+            }
+        }
+        n == 1
+    };
+    (length..).find(|&n| smooth(n)).unwrap_or(length)
+}
+
 /// [`forward`] of `n` real numbers: the first n/2 + 1 of its waves.
 #[must_use]
 pub fn real_forward(n: usize) -> Arc<dyn RealToComplex<f64>> {
@@ -40,4 +54,14 @@ pub fn real_forward(n: usize) -> Arc<dyn RealToComplex<f64>> {
 #[must_use]
 pub fn real_inverse(n: usize) -> Arc<dyn ComplexToReal<f64>> {
     realfft::RealFftPlanner::new().plan_fft_inverse(n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fast_length;
+
+    #[test]
+    fn lengths_are_products_of_small_primes() {
+        assert_eq!([1, 2, 7, 11, 97, 128, 1021].map(fast_length), [1, 2, 8, 12, 100, 128, 1024]);
+    }
 }

@@ -38,8 +38,7 @@ impl Topography {
         if low >= high {
             return Err(TopographyError::Flat { points: self.measured() });
         }
-        let peak_of = self.peak_of_points();
-        let hills = self.joined(&peak_of, PRUNED * (high - low));
+        let hills = self.hills(PRUNED * (high - low));
         let [dx, dy] = self.pixel_size();
         let spd = hills.len() as f64 / (self.measured() as f64 * dx * dy);
         let curvatures: Vec<f64> = hills.iter().filter_map(|at| self.mean_curvature(*at)).collect();
@@ -48,8 +47,9 @@ impl Topography {
     }
 }
 
-/// Neighbours of a point before it and after it in reading order.
-const BEFORE: [(isize, isize); 4] = [(-1, -1), (-1, 0), (-1, 1), (0, -1)];
+/// The neighbours of a point.
+const AROUND: [(isize, isize); 8] =
+    [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)];
 
 impl Topography {
     /// The point at a distance, around the edges of a periodic surface.
@@ -69,87 +69,63 @@ impl Topography {
         self.beside(at, down, along).filter(|to| !self.heights()[*to].is_nan())
     }
 
-    /// Whether one point is above another; of equal ones, the later is.
-    fn above(&self, one: usize, other: usize) -> bool {
-        (self.heights()[one], one) > (self.heights()[other], other)
-    }
-
-    /// The peak of the hill of every point.
-    fn peak_of_points(&self) -> Vec<u32> {
-        let n = self.heights().len();
-        let mut up: Vec<u32> = (0..n as u32).collect();
-        for at in (0..n).filter(|at| !self.heights()[*at].is_nan()) {
-            for (down, along) in BEFORE {
-                let Some(other) = self.neighbour(at, down, along) else { continue };
-                for (one, other) in [(at, other), (other, at)] {
-                    if self.above(other, up[one] as usize) {
-                        up[one] = other as u32;
-                    }
-                }
-            }
-        }
-        for at in 0..n {
-            root(&mut up, at as u32);
-        }
-        up
-    }
-
     /// The peaks of the hills that are whole, after lower ones have joined their neighbours.
-    fn joined(&self, peak_of: &[u32], least: f64) -> Vec<usize> {
-        let n = peak_of.len();
-        let mut saddles: Vec<(f64, u32, u32)> = vec![];
-        let mut at_edge = vec![];
-        let columns = self.columns();
-        for at in (0..n).filter(|at| !self.heights()[*at].is_nan()) {
-            for (down, along) in BEFORE {
-                let Some(other) = self.neighbour(at, down, along) else { continue };
-                if peak_of[other] != peak_of[at] {
-                    let saddle = self.heights()[at].min(self.heights()[other]);
-                    saddles.push((saddle, at as u32, other as u32));
+    ///
+    /// From the highest point downwards, each joins the hill of its highest neighbour, and islands
+    /// that meet there become one. If the lower of two rises less than `least` above that saddle,
+    /// all of that island is one hill, which joins the hill on the other side.
+    fn hills(&self, least: f64) -> Vec<usize> {
+        let (heights, columns) = (self.heights(), self.columns());
+        // Of equal points the later is above.
+        let level = |at: &u32| (heights[*at as usize], *at);
+        let mut downwards: Vec<u32> = (0..heights.len() as u32).collect();
+        downwards.retain(|at| !heights[*at as usize].is_nan());
+        downwards.sort_unstable_by(|a, b| {
+            heights[*b as usize].total_cmp(&heights[*a as usize]).then(b.cmp(a))
+        });
+        let mut islands: Vec<u32> = (0..heights.len() as u32).collect();
+        let (mut hills, mut peaks) = (islands.clone(), vec![]);
+        for &at in &downwards {
+            let beside = |(down, along)| self.neighbour(at as usize, down, along);
+            let beside = AROUND.into_iter().filter_map(beside).map(|to| to as u32);
+            let higher: Vec<u32> = beside.filter(|to| level(to) > level(&at)).collect();
+            let highest =
+                higher.iter().copied().reduce(|a, b| if level(&b) > level(&a) { b } else { a });
+            let Some(highest) = highest else {
+                peaks.push(at);
+                continue;
+            };
+            (islands[at as usize], hills[at as usize]) = (highest, highest);
+            for other in higher {
+                let [a, b] = [at, other].map(|at| root(&mut islands, at));
+                if a == b {
+                    continue;
+                }
+                let (low, high, beyond) =
+                    if level(&b) > level(&a) { (a, b, other) } else { (b, a, at) };
+                islands[low as usize] = high;
+                if heights[low as usize] - heights[at as usize] < least {
+                    let [from, to] = [low, beyond].map(|at| root(&mut hills, at));
+                    hills[from as usize] = to;
                 }
             }
-            let (row, column) = (at / columns, at % columns);
-            let last = [self.rows() - 1, columns - 1];
-            let edge = row == 0 || column == 0 || row == last[0] || column == last[1];
-            if edge && !self.is_periodic() {
-                at_edge.push(peak_of[at]);
+        }
+        // The highest peak of each hill is the first.
+        let mut found = vec![NONE; heights.len()];
+        for peak in peaks {
+            let first = &mut found[root(&mut hills, peak) as usize];
+            if *first == NONE {
+                *first = peak;
             }
         }
-        saddles.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
-        // Downwards, a saddle joins two islands. If the lower one rises less than `least` above
-        // it, all of that island is one hill, which joins the hill on the other side.
-        let mut islands: Vec<u32> = peak_of.to_vec();
-        let mut hills: Vec<u32> = peak_of.to_vec();
-        for (saddle, one, other) in saddles {
-            let [a, b] = [one, other].map(|at| root(&mut islands, at));
-            if a == b {
-                continue;
-            }
-            let (low, high, beyond) = match self.above(b as usize, a as usize) {
-                true => (a, b, other),
-                false => (b, a, one),
-            };
-            islands[low as usize] = high;
-            if self.heights()[low as usize] - saddle < least {
-                let [from, to] = [low, beyond].map(|at| root(&mut hills, at));
-                hills[from as usize] = to;
+        let last = [self.rows() - 1, columns - 1];
+        for at in downwards.into_iter().filter(|_| !self.is_periodic()) {
+            let (row, column) = (at as usize / columns, at as usize % columns);
+            if row == 0 || column == 0 || row == last[0] || column == last[1] {
+                found[root(&mut hills, at) as usize] = NONE;
             }
         }
-        // The peak of a hill is the highest of those that have joined.
-        let mut highest = vec![NONE; n];
-        for peak in
-            (0..n).filter(|at| peak_of[*at] as usize == *at && !self.heights()[*at].is_nan())
-        {
-            let hill = root(&mut hills, peak as u32) as usize;
-            if highest[hill] == NONE || self.above(peak, highest[hill] as usize) {
-                highest[hill] = peak as u32;
-            }
-        }
-        for peak in at_edge {
-            let hill = root(&mut hills, peak) as usize;
-            highest[hill] = NONE;
-        }
-        highest.into_iter().filter(|peak| *peak != NONE).map(|peak| peak as usize).collect()
+        found.into_iter().filter(|peak| *peak != NONE).map(|peak| peak as usize).collect()
     }
 
     /// Mean curvature \[1/m\], positive on a peak.

@@ -5,7 +5,7 @@ use serde::Serialize;
 /// The share of m₄ or of ⟨z⁴⟩ from which outliers matter: R is 2.5 % too small at 0.05 of m₄.
 pub(crate) const MATTERS: f64 = 0.05;
 
-/// The outliers of a surface, from [`Topography::outliers`].
+/// The outliers of a surface, from [`outliers`](crate::Topography::outliers).
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 #[non_exhaustive]
 pub struct Outliers {

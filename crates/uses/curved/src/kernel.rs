@@ -1,14 +1,15 @@
 //! The deflection of the half spaces under pressures on a regular grid, to spectral accuracy.
 //!
 //! The kernel, 1/(π E r) or (2/(π E)) ln(L/|x|), is cut off at the diagonal of the grid, beyond
-//! which no two points lie, transformed exactly, and brought back to the offsets of the grid: the
-//! method of Vico, Greengard and Ferrando (2016) \[recalled\].
+//! which no two points lie, and transformed exactly: the method of Vico, Greengard and Ferrando
+//! (2016) \[recalled\]. The pressures are padded by that diagonal.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 use asperity_fft::{
-    Complex64, ComplexToReal, Fft, RealToComplex, forward, inverse, real_forward, real_inverse,
+    Complex64, ComplexToReal, Fft, RealToComplex, fast_length, forward, inverse, real_forward,
+    real_inverse,
 };
 
 /// Nodes and weights of the Gauss-Legendre rule with 4 points on -1 to 1, right half: over a length
@@ -56,14 +57,13 @@ fn sinc(x: f64) -> f64 {
 
 /// The product with the kernel, on a grid of n points a side, or of n points of a line.
 pub(crate) struct Deflection {
-    n: [usize; 2],
-    /// The transform of the kernel on twice the grid, over the number of its points.
+    /// Points along a row.
+    n: usize,
+    /// The transform of the kernel on the padded grid, over the number of its points.
     spectrum: Vec<f64>,
     rows: Arc<dyn RealToComplex<f64>>,
     back: Arc<dyn ComplexToReal<f64>>,
     columns: [Arc<dyn Fft<f64>>; 2],
-    /// Products so far.
-    pub(crate) products: usize,
     complex: Vec<Complex64>,
     column: Vec<Complex64>,
     row: Vec<f64>,
@@ -71,16 +71,7 @@ pub(crate) struct Deflection {
 
 /// An even number of points at least `n` with small prime factors.
 pub(crate) fn quick(n: usize) -> usize {
-    let is_quick = |n: &usize| {
-        let mut rest = *n;
-        for factor in [2, 3, 5] {
-            while rest.is_multiple_of(factor) {
-                rest /= factor;
-            }
-        }
-        rest == 1
-    };
-    (n.max(2)..).filter(|n| n.is_multiple_of(2)).find(is_quick).unwrap_or(n)
+    2 * fast_length(n.div_ceil(2).max(1))
 }
 
 impl Deflection {
@@ -92,12 +83,10 @@ impl Deflection {
         let [qx, qy] = [2.0 * PI / (nx as f64 * dx), 2.0 * PI / (ny as f64 * dy)];
         let largest = cut * (0.5 * qx * nx as f64).hypot(0.5 * qy * ny as f64);
         let bessel = Primitive::new(libm::j0, largest);
-        let density = |i: usize, j: usize| {
-            let q = (qx * i as f64).hypot(qy * j.min(ny - j) as f64);
+        Self::new(n, [nx, ny], |i, j| {
+            let q = (qx * i as f64).hypot(qy * j as f64);
             2.0 / modulus * if q > 0.0 { bessel.at(q * cut) / q } else { cut }
-        };
-        let table = back_to_offsets([nx, ny], [n, n], density);
-        Self::new([n, n], &table)
+        })
     }
 
     /// Of a line of n points, per length, with ln(L/|x|) and L = `reference` \[m\].
@@ -107,36 +96,30 @@ impl Deflection {
         let qx = 2.0 * PI / (nx as f64 * dx);
         let sine = Primitive::new(sinc, PI * cut / dx);
         let logarithm = (reference / cut).ln();
-        let density = |i: usize, _: usize| {
+        Self::new(n, [nx, 1], |i, _| {
             let x = qx * i as f64 * cut;
             let whole = if i == 0 { 1.0 } else { sine.at(x) / x };
             4.0 * cut / (PI * modulus) * (logarithm * sinc(x) + whole)
-        };
-        let table = back_to_offsets([nx, 1], [n, 1], density);
-        Self::new([n, 1], &table)
+        })
     }
 
-    /// From the deflections at offsets up to n, row by row.
-    fn new(n: [usize; 2], table: &[f64]) -> Self {
-        let size = n.map(|n| if n == 1 { 1 } else { 2 * n });
-        let half = size[0] / 2 + 1;
-        let rows = real_forward(size[0]);
-        let (back, columns) = (real_inverse(size[0]), [forward(size[1]), inverse(size[1])]);
-        let complex = vec![Complex64::default(); half * size[1]];
-        let (column, row) = (vec![Complex64::default(); size[1]], vec![0.0; size[0]]);
-        let spectrum = vec![];
-        let mut made = Self { n, spectrum, rows, back, columns, products: 0, complex, column, row };
-        for j in 0..size[1] {
-            for i in 0..size[0] {
-                let [i_off, j_off] = [i.min(size[0] - i), j.min(size[1] - j)];
-                made.row[i] = table[j_off * (n[0] + 1) + i_off];
-            }
-            made.forward_row(j);
+    /// Of `n` points a row on a padded grid of `size`, from the transform of the kernel at
+    /// multiples of the least waves, which is even along both axes.
+    fn new(n: usize, size: [usize; 2], transform: impl Fn(usize, usize) -> f64) -> Self {
+        let [columns, rows] = size;
+        let half = columns / 2 + 1;
+        let points = (columns * rows) as f64;
+        let wave = |k: usize| transform(k % half, (k / half).min(rows - k / half)) / points;
+        Self {
+            n,
+            spectrum: (0..half * rows).map(wave).collect(),
+            rows: real_forward(columns),
+            back: real_inverse(columns),
+            columns: [forward(rows), inverse(rows)],
+            complex: vec![Complex64::default(); half * rows],
+            column: vec![Complex64::default(); rows],
+            row: vec![0.0; columns],
         }
-        made.along_columns(0);
-        let points = (size[0] * size[1]) as f64;
-        made.spectrum = made.complex.iter().map(|value| value.re / points).collect();
-        made
     }
 
     fn half(&self) -> usize {
@@ -168,8 +151,7 @@ impl Deflection {
 
     /// The deflections \[m\] under these pressures \[Pa\].
     pub(crate) fn product(&mut self, pressures: &[f64], deflections: &mut [f64]) {
-        self.products += 1;
-        let ([nx, ny], half) = (self.n, self.half());
+        let (nx, half) = (self.n, self.half());
         self.complex.fill(Complex64::default());
         for (j, pressures) in pressures.chunks(nx).enumerate() {
             self.row[..nx].copy_from_slice(pressures);
@@ -181,7 +163,7 @@ impl Deflection {
             *value *= *factor;
         }
         self.along_columns(1);
-        for (j, deflections) in deflections.chunks_mut(nx).enumerate().take(ny) {
+        for (j, deflections) in deflections.chunks_mut(nx).enumerate() {
             let from = &mut self.complex[j * half..(j + 1) * half];
             // Ends of real rows are real.
             from[0].im = 0.0;
@@ -190,39 +172,6 @@ impl Deflection {
             deflections.copy_from_slice(&self.row[..nx]);
         }
     }
-}
-
-/// The kernel at offsets 0 to n along both axes, from its transform on a larger grid, which is
-/// even along both.
-fn back_to_offsets(
-    [nx, ny]: [usize; 2],
-    n: [usize; 2],
-    density: impl Fn(usize, usize) -> f64,
-) -> Vec<f64> {
-    let half = nx / 2 + 1;
-    let (row_back, column_back) = (real_inverse(nx), inverse(ny));
-    let mut column = vec![Complex64::default(); ny];
-    let kept = if ny == 1 { 1 } else { n[1] + 1 };
-    let mut complex = vec![Complex64::default(); half * kept];
-    for i in 0..half {
-        for (j, value) in column.iter_mut().enumerate() {
-            *value = Complex64::new(if j <= ny / 2 { density(i, j) } else { 0.0 }, 0.0);
-        }
-        for j in ny / 2 + 1..ny {
-            column[j] = column[ny - j];
-        }
-        column_back.process(&mut column);
-        for j in 0..kept {
-            complex[j * half + i] = Complex64::new(column[j].re, 0.0);
-        }
-    }
-    let mut row = vec![0.0; nx];
-    let mut table = vec![];
-    for j in 0..kept {
-        let _ = row_back.process(&mut complex[j * half..(j + 1) * half], &mut row);
-        table.extend(row[..=n[0]].iter().map(|value| value / (nx * ny) as f64));
-    }
-    table
 }
 
 #[cfg(test)]

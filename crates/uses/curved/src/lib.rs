@@ -40,13 +40,13 @@ use std::f64::consts::PI;
 
 use asperity_core::{ContactError, ContactModel, Quantity, Scene, Tolerance, positive};
 
-pub use hertz::{Hertz, elliptic};
+pub use hertz::Hertz;
 pub use model::BetweenCurved;
 pub use solution::Solution;
 
 use kernel::{Deflection, quick};
 use layer::Layer;
-use solve::{Given, State};
+use solve::State;
 
 /// The share of the peak pressure at the edge of the grid.
 const EDGE: f64 = 1e-9;
@@ -58,9 +58,12 @@ const FREE: f64 = 1e-30;
 const FINEST: f64 = 1e-8;
 /// The tolerance where the default one is asked for, which would take ten times as long.
 const USUAL: f64 = 1e-6;
-/// The tolerance with which the load of an approach is searched, and how near to it a grid is made.
+/// The tolerance with which the load of an approach is searched until a step changes it by less
+/// than the second number.
 const SEARCH: f64 = 1e-3;
 const NEAR: f64 = 0.03;
+/// The last step of the search over the tolerance.
+const LAST: f64 = 0.1;
 /// The largest number of points along a side.
 const MOST: usize = 768;
 
@@ -93,18 +96,6 @@ impl Shape {
             Self::Line { length, .. } => length,
         }
     }
-}
-
-/// The work of a solution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub struct Work {
-    /// Points of the grid.
-    pub points: usize,
-    /// Steps of Newton's method.
-    pub steps: usize,
-    /// Products with the deflection of the half spaces.
-    pub products: usize,
 }
 
 /// The points at which a contact is solved; of a line one row.
@@ -196,29 +187,23 @@ impl Curved {
     /// pressure rises with the separation or does not vanish beside the patch, and a search that
     /// does not converge.
     pub fn at_load(&self, load: f64) -> Result<Solution<'_>, ContactError> {
-        self.at(positive("load", load)?, None, self.tolerance)
+        self.at(positive("load", load)?, self.tolerance)
     }
 
-    /// The contact at a load \[N\], or near it at an approach \[m\], to a tolerance.
-    fn at(
-        &self,
-        load: f64,
-        approach: Option<f64>,
-        tolerance: f64,
-    ) -> Result<Solution<'_>, ContactError> {
-        let hertz = |load| Hertz::new(&self.shape, self.layer.modulus, load);
-        if self.points(&hertz(load), tolerance) > MOST {
+    /// The contact at a load \[N\] to a tolerance.
+    fn at(&self, load: f64, tolerance: f64) -> Result<Solution<'_>, ContactError> {
+        let hertz = Hertz::new(&self.shape, self.layer.modulus, load);
+        if self.points(&hertz, tolerance) > MOST {
             return refused(
                 "the bodies approach by more than 2000 times the roughness: take them as smooth, by Hertz",
             );
         }
         let mut wider = 1.0;
         loop {
-            let state = self.solve(&hertz(load), load, wider, approach, tolerance)?;
+            let state = self.solve(&hertz, load, wider, tolerance)?;
             let edge = state.edge() / state.peak();
             if edge <= 10.0 * EDGE {
-                let load = approach.map_or(load, |_| state.force() * self.shape.length());
-                return Ok(Solution::new(self, hertz(load), load, state));
+                return Ok(Solution::new(self, hertz, load, state));
             }
             wider *= 1.3;
             if wider > WIDEST {
@@ -233,12 +218,6 @@ impl Curved {
         self.shape
     }
 
-    /// The relative tolerance of its numbers.
-    #[must_use]
-    pub fn tolerance(&self) -> f64 {
-        self.tolerance
-    }
-
     /// Points along a side of the grid at a load \[N\].
     #[must_use]
     pub fn points_at(&self, load: f64) -> usize {
@@ -250,7 +229,6 @@ impl Curved {
         hertz: &Hertz,
         load: f64,
         wider: f64,
-        approach: Option<f64>,
         tolerance: f64,
     ) -> Result<State, ContactError> {
         let (modulus, load) = (self.layer.modulus, load / self.shape.length());
@@ -286,11 +264,7 @@ impl Curved {
             false => Deflection::of_area(n, grid.steps, modulus),
         };
         let mut state = State::new(&self.layer, kernel, grid, shape, &pressures, load)?;
-        let given = match approach.zip(self.beyond_grid(&grid)) {
-            Some((approach, more)) => Given::Approach(approach, more),
-            None => Given::Load(load),
-        };
-        state.solve(&self.layer, given, tolerance)?;
+        state.solve(&self.layer, load, tolerance)?;
         Ok(state)
     }
 
@@ -323,18 +297,21 @@ impl Curved {
             Shape::Point { .. } => (reach / unit.approach.unwrap_or(f64::NAN)).powf(1.5),
             Shape::Line { length, .. } => reach * self.layer.modulus * length,
         };
-        let rough = self.tolerance.max(SEARCH);
+        let mut tolerance = self.tolerance.max(SEARCH);
         for _ in 0..60 {
-            let mut found = self.at(load, None, rough)?;
+            let mut found = self.at(load, tolerance)?;
             let missing = approach - found.approach().unwrap_or(f64::NAN);
             // Newton's method for the logarithm of the load, which never leaves it positive.
-            let change = found.tangent_within(rough)? * missing / load;
+            let change = found.tangent_within(tolerance)? * missing / load;
+            if tolerance <= self.tolerance && change.abs() < LAST * self.tolerance {
+                return Ok(found);
+            }
             load *= change.clamp(-4.0, 4.0).exp();
             if load < FREE * self.layer.modulus * self.layer.sigma.powi(2) {
                 return refused("the bodies do not touch at this approach");
             }
             if change.abs() < NEAR {
-                return self.at(load, Some(approach), self.tolerance);
+                tolerance = self.tolerance;
             }
         }
         refused("no load has this approach")

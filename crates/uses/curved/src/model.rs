@@ -194,7 +194,10 @@ impl OfBodies {
             Quantity::Force => (found.load(), 0.0),
             Quantity::Area | Quantity::Contacts => (found.sum(quantity)?, 0.0),
             Quantity::Tangent if has_length => (found.tangent()?, 0.0),
-            Quantity::Approach => (found.approach().ok_or_else(no_length)?, sigma),
+            Quantity::Approach => match self.given(at)? {
+                (false, approach) => (approach, sigma),
+                _ => (found.approach().ok_or_else(no_length)?, sigma),
+            },
             Quantity::ApproachBeyondHertz => (found.approach_beyond_hertz(), sigma),
             Quantity::PeakPressure => (found.peak_pressure(), 0.0),
             Quantity::PeakPressureRatio => {
@@ -216,7 +219,7 @@ impl OfBodies {
                     of_joint,
                     radii,
                     &self.scene,
-                    self.curved.tolerance(),
+                    self.curved.tolerance,
                 )?;
                 return value.ok_or_else(none);
             }
@@ -224,7 +227,7 @@ impl OfBodies {
         if !value.is_finite() {
             return Err(none());
         }
-        let error = self.curved.tolerance() * (size / value.abs()).max(1.0);
+        let error = self.curved.tolerance * (size / value.abs()).max(1.0);
         Ok(Evaluation::new(value, error))
     }
 
@@ -239,35 +242,33 @@ impl OfBodies {
             Shape::Point { radius_x, radius_y } => a.max(b) / radius_x.min(radius_y),
             Shape::Line { radius, .. } => a / radius,
         };
+        let mut notes = vec![];
+        let mut limit = |code, field, [value, most]: [f64; 2], unit, meaning| {
+            if value > most {
+                let found = Finding::warning(code, field, value).usual([0.0, most]).unit(unit);
+                notes.push(found.advice(meaning));
+            }
+        };
         let few = "asperity_spacing_over_patch";
-        let peak = strength.map(|strength| (found.peak_pressure(), 1.6 * strength));
-        let central = found.central_area_fraction().ok().map(|fraction| (fraction, 0.3));
-        let limits = [
-            (Code::FewContacts, few, Some((spacing / a.min(b), 1.0 / 3.0)), "", FEW_ASPERITIES),
-            (Code::Patch, "patch_over_radius", Some((of_radius, 0.1)), "", LARGE_PATCH),
-            (Code::Patch, "peak_pressure", peak, "Pa", YIELDS_BELOW),
-            match central {
-                Some((fraction, _)) if fraction > 1.0 => (
-                    Code::AreaAboveNominal,
-                    "central_area_fraction",
-                    Some((fraction, 1.0)),
-                    "",
-                    FULL,
-                ),
-                _ => (Code::Crowded, "central_area_fraction", central, "", MERGE),
-            },
-        ];
-        let exceeded = limits.into_iter().filter_map(|(code, field, known, unit, meaning)| {
-            let (value, most) = known.filter(|(value, most)| value > most)?;
-            let found = Finding::warning(code, field, value).usual([0.0, most]).unit(unit);
-            Some(found.advice(meaning))
-        });
-        let contacts = found.sum(Quantity::Contacts).ok().filter(|contacts| *contacts < 10.0);
-        let few = contacts.map(|contacts| {
+        limit(Code::FewContacts, few, [spacing / a.min(b), 1.0 / 3.0], "", FEW_ASPERITIES);
+        limit(Code::Patch, "patch_over_radius", [of_radius, 0.1], "", LARGE_PATCH);
+        if let Some(strength) = strength {
+            let peak = [found.peak_pressure(), 1.6 * strength];
+            limit(Code::Patch, "peak_pressure", peak, "Pa", YIELDS_BELOW);
+        }
+        if let Ok(central) = found.central_area_fraction() {
+            let (code, most, meaning) = match central > 1.0 {
+                true => (Code::AreaAboveNominal, 1.0, FULL),
+                false => (Code::Crowded, 0.3, MERGE),
+            };
+            limit(code, "central_area_fraction", [central, most], "", meaning);
+        }
+        if let Some(contacts) = found.sum(Quantity::Contacts).ok().filter(|n| *n < 10.0) {
             let few = Finding::warning(Code::FewContacts, "contacts", contacts);
-            few.usual([10.0, f64::INFINITY]).advice("a single contact of few asperities scatters")
-        });
-        exceeded.chain(few).map(|note| note.at(At::Load(found.load()))).collect()
+            let meaning = "a single contact of few asperities scatters";
+            notes.push(few.usual([10.0, f64::INFINITY]).advice(meaning));
+        }
+        notes.into_iter().map(|note: Finding| note.at(At::Load(found.load()))).collect()
     }
 }
 

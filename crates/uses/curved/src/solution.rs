@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use asperity_core::{ContactError, Quantity};
 
 use crate::solve::State;
-use crate::{Curved, Grid, Hertz, Shape, Work};
+use crate::{Curved, Grid, Hertz, Shape};
 
 /// A solved contact of curved bodies.
 pub struct Solution<'c> {
@@ -39,10 +39,10 @@ impl<'c> Solution<'c> {
         &self.hertz
     }
 
-    /// The work of the solution.
+    /// The steps of Newton's method.
     #[must_use]
-    pub fn work(&self) -> Work {
-        Work { products: self.state.kernel.products, ..self.state.work }
+    pub fn steps(&self) -> usize {
+        self.state.steps
     }
 
     /// Approach of the bodies \[m\] from where their undeformed surfaces touch, the rough one at

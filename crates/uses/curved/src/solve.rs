@@ -4,7 +4,7 @@ use asperity_core::{ContactError, Quantity};
 
 use crate::kernel::Deflection;
 use crate::layer::Layer;
-use crate::{Grid, Work, refused};
+use crate::{Grid, refused};
 
 const MAX_STEPS: usize = 60;
 /// What pressures may be off by after the last step, over the peak and the tolerance of numbers.
@@ -13,15 +13,6 @@ const DONE: f64 = 1e-3;
 const BALANCED: f64 = 1e-13;
 /// A step of Newton's method errs by at most this times its square, with both over the peak.
 const SQUARE: f64 = 30.0;
-
-/// What is given of a contact.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Given {
-    /// Its load, of a line per length.
-    Load(f64),
-    /// Its approach, and how much larger than on the grid approaches are at a unit of load.
-    Approach(f64, f64),
-}
 
 /// Separations on a grid with all that follows from them.
 pub(crate) struct State {
@@ -37,8 +28,9 @@ pub(crate) struct State {
     /// -dp/dd \[Pa/m\].
     pub(crate) slopes: Vec<f64>,
     deflections: Vec<f64>,
-    pub(crate) kernel: Deflection,
-    pub(crate) work: Work,
+    kernel: Deflection,
+    /// Of Newton's method.
+    pub(crate) steps: usize,
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -60,7 +52,6 @@ impl State {
         let mut deflections = vec![0.0; n];
         kernel.product(pressures, &mut deflections);
         let (separations, slopes) = (vec![0.0; n], vec![0.0; n]);
-        let work = Work { points: n, ..Work::default() };
         let mut state = Self {
             shape,
             grid,
@@ -71,7 +62,7 @@ impl State {
             slopes,
             deflections,
             kernel,
-            work,
+            steps: 0,
         };
         let base: Vec<f64> =
             state.shape.iter().zip(&state.deflections).map(|(a, b)| a + b).collect();
@@ -132,44 +123,25 @@ impl State {
         self.separations.iter().zip(rest).map(|(d, rest)| d - rest).collect()
     }
 
-    /// Solves for the state in equilibrium, with pressures that suffice for this tolerance.
+    /// Solves for the state in equilibrium with a load, of a line per length, with pressures that
+    /// suffice for this tolerance.
     pub(crate) fn solve(
         &mut self,
         layer: &Layer,
-        given: Given,
+        load: f64,
         tolerance: f64,
     ) -> Result<(), ContactError> {
         let enough = DONE * tolerance;
         let mut residual = self.residual();
         let mut within = 1e-2;
         for _ in 0..MAX_STEPS {
-            self.work.steps += 1;
+            self.steps += 1;
             if self.slopes.iter().any(|slope| *slope < 0.0) {
                 return refused("the pressure of the model rises with the separation here");
             }
-            let (step, shift) = match given {
-                Given::Load(load) => {
-                    let right: Vec<f64> = residual.iter().map(|r| -r).collect();
-                    let falls = (self.force() - load) / self.weight;
-                    self.linear(&right, within, Some(falls))?
-                }
-                Given::Approach(approach, more) => {
-                    let shift = more * self.force() - approach - self.offset;
-                    let right: Vec<f64> = residual.iter().map(|r| shift - r).collect();
-                    let mut step = self.linear(&right, within, None)?.0;
-                    // With the load of a line its approach changes.
-                    let unit = if more == 0.0 {
-                        step.clone()
-                    } else {
-                        self.linear(&vec![1.0; step.len()], within, None)?.0
-                    };
-                    let more = more * self.weight;
-                    let [own, other] = [&step, &unit].map(|one| more * dot(&self.slopes, one));
-                    let back = own / (1.0 + other);
-                    step.iter_mut().zip(&unit).for_each(|(step, unit)| *step -= back * unit);
-                    (step, shift - back)
-                }
-            };
+            let right: Vec<f64> = residual.iter().map(|r| -r).collect();
+            let falls = (self.force() - load) / self.weight;
+            let (step, shift) = self.linear(&right, within, Some(falls))?;
             self.offset += shift;
             let (before, peak) = (self.pressures.clone(), self.peak());
             self.separations.iter_mut().zip(&step).for_each(|(d, step)| *d += step);
@@ -178,11 +150,7 @@ impl State {
             let change = changes.fold(0.0, f64::max) / peak.max(self.peak());
             let rest = (SQUARE * change * change).max(within * change);
             if rest < enough {
-                self.work.products = self.kernel.products;
-                return match given {
-                    Given::Load(load) => self.balance(layer, load),
-                    Given::Approach(..) => Ok(()),
-                };
+                return self.balance(layer, load);
             }
             residual = self.residual();
             within = (enough / rest).max(change * change).min(1e-2);

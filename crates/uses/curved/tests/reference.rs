@@ -188,7 +188,7 @@ fn loads_and_approaches_are_inverse_and_axes_are_alike() {
     let other = second.at_load(20.0).unwrap();
     assert!((one.axes()[0] / other.axes()[1] - 1.0).abs() < 1e-10);
     assert!((one.approach().unwrap() / other.approach().unwrap() - 1.0).abs() < 1e-10);
-    assert_eq!(one.work(), other.work());
+    assert_eq!(one.steps(), other.steps());
 }
 
 #[test]
@@ -271,15 +271,11 @@ impl ContactModel for Named {
 
 #[test]
 fn the_work_is_that_of_newtons_method() {
-    for (k, points, steps, products) in
-        [(9, 1024, 3, 13_usize), (10, 1024, 3, 20), (1, 2916, 4, 27)]
-    {
+    for (k, points, steps) in [(9, 32, 3), (10, 32, 3), (1, 54, 4)] {
         let row = &rows()[k];
         let curved = curved(row, 1e-6);
-        let work = curved.at_load(number(row, "load").unwrap()).unwrap().work();
-        assert_eq!((work.points, work.steps), (points, steps), "row {k}");
-        // Rounding decides on one more.
-        assert!(work.products.abs_diff(products) <= 2, "row {k}: {}", work.products);
+        let found = curved.at_load(number(row, "load").unwrap()).unwrap();
+        assert_eq!((found.grid().0, found.steps()), ([points; 2], steps), "row {k}");
     }
 }
 

@@ -17,7 +17,7 @@ use crate::table::Table;
 pub const SPECIMENS: [u32; 3] = [1, 2, 3];
 /// The models that are fitted, with assumed hardnesses \[Pa\], which GW ignores.
 pub const MODELS: [(&str, f64); 3] = [(ELASTIC, 1e9), ("ke", 1e9), ("ke", 3e8)];
-pub(super) const ELASTIC: &str = "gw";
+const ELASTIC: &str = "gw";
 /// Pressure at which curves of unloading end \[Pa\].
 const LOWEST: f64 = 1e5;
 /// The file of the fits.
@@ -33,12 +33,12 @@ const ROCK: (f64, f64) = (11e9, 0.25);
 const RADIUS: f64 = 1e-3;
 /// The specimens' diameter \[m\].
 const DIAMETER: f64 = 0.122;
-pub(super) const LAWS: [(&str, usize); 3] = [("hertz", 2), ("brake", 4), ("etsion", 1)];
-pub(super) const MEASURED: [&str; 2] = ["measured loading", "measured unloading"];
+const LAWS: [(&str, usize); 3] = [("hertz", 2), ("brake", 4), ("etsion", 1)];
+const MEASURED: [&str; 2] = ["measured loading", "measured unloading"];
 const LOADING: &str = "loading";
 
 /// A row of [`FITS`]: specimen, model, hardness, rms, and three parameters with their ends.
-pub(super) type Fitted = (u32, String, f64, f64, [Option<f64>; 9]);
+type Fitted = (u32, String, f64, f64, [Option<f64>; 9]);
 
 /// The scene of a fracture.
 ///
@@ -136,6 +136,6 @@ pub fn style(_: &str) -> Result<Figure> {
 }
 
 /// The name of a panel.
-pub(super) fn case(specimen: u32, hardness: f64) -> String {
+fn case(specimen: u32, hardness: f64) -> String {
     format!("specimen {specimen}; {} GPa", hardness / 1e9)
 }

@@ -27,10 +27,3 @@ pub fn folder() -> PathBuf {
 pub fn rows<T: DeserializeOwned>(name: &str) -> Result<Vec<T>> {
     rows_of(&folder().join(name))
 }
-
-/// The root mean square of values/references - 1.
-#[must_use]
-pub fn rms(ratios: &[f64]) -> f64 {
-    let squares: f64 = ratios.iter().map(|ratio| (ratio - 1.0).powi(2)).sum();
-    (squares / ratios.len() as f64).sqrt()
-}

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use asperity::{Compared, Described, Evidence};
 
-use super::{closure, gfmd, rms, rows, sphere};
+use super::{gfmd, sphere};
 use crate::figures::compared::{NOTHING, is_plain, models};
 use crate::table::{markdown_head, markdown_row, rows as drawn};
 
@@ -19,26 +19,23 @@ Gaussian surfaces from the boundary elements of this project, which `bem` is her
 figures are named in the [chapter](../crates/apps/web/guide/world.md).
 
 ";
-const CLOSURES: &str = "
-## Fractures of granodiorite
-
-KE fitted to loading: root mean square deviation of the pressures; then the share of the closure
-that is recovered at the lowest pressure of unloading, as measured and as three laws predict.
-
-";
 /// Mean gaps are compared up to this p/(E g), where a fifth of the surface touches.
 const HEAVIEST: f64 = 0.1;
 /// Ranges of interference of the force, then of the area.
 const FORCE: [[f64; 2]; 4] = [[0.1, 1.0], [1.0, 6.0], [6.0, 50.0], [50.0, 170.0]];
 const AREA: [[f64; 2]; 2] = [[1.0, 50.0], [50.0, 170.0]];
 
-/// A row of a figure's csv: panel or specimen, curve, and two numbers.
+/// A row of a figure's csv: panel, curve, and two numbers.
 type Row = (String, String, f64, f64);
 
 /// The root mean square deviation of the ratios of a model, in per cent.
 fn off<'r>(ratios: impl Iterator<Item = &'r f64>) -> String {
-    let ratios: Vec<f64> = ratios.copied().collect();
-    if ratios.is_empty() { NOTHING.into() } else { format!("{:.0}", 100.0 * rms(&ratios)) }
+    let (count, sum) =
+        ratios.fold((0, 0.0), |(n, sum), ratio| (n + 1, sum + (ratio - 1.0).powi(2)));
+    match count {
+        0 => NOTHING.into(),
+        count => format!("{:.0}", 100.0 * (sum / f64::from(count)).sqrt()),
+    }
 }
 
 /// Ratios of the areas of a model to boundary elements, where isotropic Gaussian surfaces yield.
@@ -54,7 +51,7 @@ fn yielding(evidence: &Evidence) -> BTreeMap<&str, Vec<f64>> {
     all
 }
 
-/// The tables, from the csv of each figure by its name.
+/// The table, from the csv of each figure by its name.
 ///
 /// # Errors
 /// A csv that is missing, or is another.
@@ -82,34 +79,6 @@ pub fn table<'t>(csv: impl Fn(&str) -> Result<&'t str>, evidence: &Evidence) -> 
         row.push(off(yielding.get(id.as_str()).into_iter().flatten()));
         out += &markdown_row(&row);
     }
-    Ok(out + CLOSURES + &closures(&drawn(csv("world-closure")?)?)?)
-}
-
-fn closures(drawn: &[Row]) -> Result<String> {
-    let laws = closure::LAWS.map(|law| law.0);
-    let heads = [&["specimen", "hardness, GPa", "loading, %", "measured"], &laws[..]].concat();
-    let mut out = markdown_head(&heads, heads.len() - 1);
-    for (specimen, model, hardness, rms, _) in rows::<closure::Fitted>(closure::FITS)? {
-        if model == closure::ELASTIC {
-            continue;
-        }
-        let own: Vec<&Row> =
-            drawn.iter().filter(|row| row.0 == closure::case(specimen, hardness)).collect();
-        let last = |curve: &str| own.iter().rfind(|row| row.1 == curve);
-        let [loaded, unloaded] = closure::MEASURED.map(last);
-        let (loaded, unloaded) = loaded.zip(unloaded).context("measured readings")?;
-        let recovered = |closure: f64| format!("{:.0} %", 100.0 * (1.0 - closure / loaded.2));
-        let mut row =
-            vec![specimen.to_string(), (hardness / 1e9).to_string(), format!("{:.1}", 100.0 * rms)];
-        row.push(recovered(unloaded.2));
-        for law in laws {
-            // The pressures fall along the curve.
-            let at = own.iter().find(|row| row.1 == law && row.3 <= unloaded.3);
-            let at = at.context("unloading to the end")?;
-            row.push(recovered(at.2));
-        }
-        out += &markdown_row(&row);
-    }
     Ok(out)
 }
 
@@ -117,36 +86,21 @@ fn closures(drawn: &[Row]) -> Result<String> {
 mod tests {
     use super::*;
 
-    fn csv<'c>(name: &str, closures: &'c str) -> Result<&'c str> {
-        let sphere = "panel,curve,x,value\nforce,ke,0.5,1.1\nforce,ke,3,0.8\nforce,ke,4,1.1\n";
-        Ok(match name {
-            "world-sphere" => sphere,
-            "world-elastic" => "panel,curve,x,value\ngap,gw,0.01,1.5\ngap,gw,0.5,9\n",
-            _ => closures,
-        })
-    }
-
     #[test]
-    fn deviations_are_taken_within_each_range_and_missing_ones_are_named() -> Result<()> {
-        let head = "case,curve,closure_m,pressure_Pa\n".to_owned();
-        let missing = table(|name| csv(name, &head), Evidence::committed()?).unwrap_err();
-        assert_eq!(missing.to_string(), "measured readings");
-        let curves = [&closure::MEASURED[..], &closure::LAWS.map(|law| law.0)].concat();
-        let mut closures = head.clone();
-        for (specimen, _, hardness, ..) in rows::<closure::Fitted>(closure::FITS)? {
-            for (k, curve) in curves.iter().enumerate() {
-                let case = closure::case(specimen, hardness);
-                closures += &format!("{case},{curve},{},1e5\n", 1e-4 * (10 - k) as f64);
-            }
-        }
-        let found = table(|name| csv(name, &closures), Evidence::committed()?)?;
+    fn deviations_are_taken_within_each_range() -> Result<()> {
+        let csv = |name: &str| {
+            Ok(match name {
+                "world-sphere" => {
+                    "panel,curve,x,value\nforce,ke,0.5,1.1\nforce,ke,3,0.8\nforce,ke,4,1.1\n"
+                }
+                _ => "panel,curve,x,value\ngap,gw,0.01,1.5\ngap,gw,0.5,9\n",
+            })
+        };
+        let found = table(csv, Evidence::committed()?)?;
         let line = |start: &str| found.lines().find(|line| line.starts_with(start));
         // Of 0.8 and 1.1, √(0.05/2).
         assert!(line("| `ke` | 10 | 16 | – |").is_some(), "{found}");
         assert!(line("| `gw` |").is_some_and(|gw| gw.contains("| – | 50 |")), "{found}");
-        assert!(
-            line("| 1 | 1 | ").is_some_and(|row| row.ends_with("| 10 % | 20 % | 30 % | 40 % |"))
-        );
         Ok(())
     }
 }
