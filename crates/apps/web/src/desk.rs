@@ -14,7 +14,7 @@ use crate::message::{Message, Solved};
 use crate::refusal::Refusal;
 use crate::span::{Load, LoadKeys, Span};
 use crate::{
-    advice, answer, fields, labels, law, link, picture, press, read_scene, scan_report,
+    advice, answer, fields, labels, link, picture, press, read_scene, scan_report,
     surface_keys, table,
 };
 
@@ -144,7 +144,6 @@ impl Desk {
                 table::table(self.scene()?, &model, &form, &units)?
             }
             Message::Tables { models, form } => table::refusals(self.scene()?, &models, &form)?,
-            Message::Law { model } => law::law(self.scene()?, &model)?,
             Message::Link { state } => link::link(state)?.into(),
             Message::Unlink { link } => link::unlink(&link)?,
         })

@@ -25,12 +25,12 @@ pub(crate) fn term(term: &str) -> String {
 }
 
 /// The name of a model, for a variant its id, as legends have it: `KE`, `persson-fudge`.
-pub(crate) fn model_name(model: &Model) -> &str {
+fn model_name(model: &Model) -> &str {
     if model.id().contains('-') { model.id() } else { model.name() }
 }
 
 /// Name, authors and year of a model: `KE: Kogut & Etsion (2002)`.
-pub(crate) fn source(model: &Model) -> String {
+fn source(model: &Model) -> String {
     let citation = model.citation();
     format!("{}: {} ({})", model_name(model), citation.authors, citation.year)
 }

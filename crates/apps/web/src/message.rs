@@ -55,8 +55,6 @@ pub(crate) enum Message {
     Export { model: String, form: String, units: String },
     /// Why models have no such table in a form.
     Tables { models: Vec<String>, form: String },
-    /// The law of one asperity.
-    Law { model: String },
     /// The link of a state of the page.
     Link { state: Map<String, Value> },
     /// The state of a link.

@@ -4,7 +4,7 @@ use asperity::{Body, DerivedNumber, Described, Model};
 use asperity_scene::{BODY, Field, HandedFiles, Key, Material, SceneFile, parse_handed};
 use serde_json::{Value, json};
 
-use crate::labels::{model_name, model_sentence, symbols, term};
+use crate::labels::{model_sentence, symbols, term};
 use crate::refusal::Refusal;
 use crate::shown::{number, ranged, shown};
 use crate::{answer, fields, labels, press, surface_keys};
@@ -65,12 +65,9 @@ fn models(file: &SceneFile) -> Value {
     let shown = |model: &Model, reason: Option<String>| {
         json!({
             "id": model.id(),
-            "name": model_name(model),
             "about": model_sentence(model),
             // Averages over contact angles take seconds to prepare.
             "slow": model.validity().angles,
-            // Theories of the whole surface have no law of one asperity, and variants another.
-            "whole": model.asperity_model().is_none() || model.sum_of_contacts().is_some(),
             "equal": model.equal().id(),
             "reason": reason,
         })

@@ -1,10 +1,10 @@
 // Files and lines to take away.
-import { $, download, element, options, picture, noPicture, readings } from "./page.js";
+import { $, download, element, options } from "./page.js";
 import { answers, ask, chosen, desks, isSlow, page, state, work } from "./state.js";
 import { byReason } from "./answers.js";
 import { writeLink } from "./link.js";
 
-// The model that was ticked or chosen last: tables and laws begin with it.
+// The model that was ticked or chosen last: tables begin with it.
 let picked = null;
 
 const on = (id, act) => $(id).addEventListener("click", () => work("page", null, act));
@@ -102,30 +102,13 @@ for name in ${JSON.stringify(chosen())}:
             print(name, quantity, "none:", reason)`;
 }
 
-function law() {
-  const model = $("law-model").value;
-  if (!$("law").open || !model || !answers()) return;
-  const lane = isSlow(model) ? "slow" : "page";
-  work(lane, "law", async () => {
-    const { text, shown } = page;
-    if (!answers()) return;
-    const { svg, source, guide } = await ask(deskOf(model), "law", { model });
-    if (text !== page.text || shown !== page.shown || $("law-model").value !== model) return;
-    $("law-source").replaceChildren(`${source} `, element("a", { href: guide }, "Equations and range"));
-    picture($("law-picture"), svg, `force and area of one asperity by ${model} against the interference`);
-  });
-}
-
 export const takeAway = {
   start() {
     saves();
     $("copy-link").addEventListener("click", copyLink);
     $("code").addEventListener("toggle", takeAway.code);
-    $("law").addEventListener("toggle", law);
-    $("law-model").addEventListener("change", law);
-    for (const id of ["export-model", "law-model"]) $(id).addEventListener("change", () => takeAway.pick($(id).value));
+    $("export-model").addEventListener("change", () => takeAway.pick($("export-model").value));
     $("export-form").addEventListener("change", tables);
-    readings($("law-picture"), $("law-reading"));
   },
   // The code of the present load.
   code: () => work("page", "code", code),
@@ -138,22 +121,11 @@ export const takeAway = {
     $("scene-files").textContent = `The program reads ${names.join(", ")} from the folder of the scene file: save them in one folder.`;
   },
   // The models of the scene; none for a scene with an error.
-  models({ models: all, usual }, ids) {
-    // Theories of the whole surface have no law of one asperity.
-    const allowed = all.filter(({ reason, whole }) => !reason && !whole).map(({ id }) => [id, id]);
-    const first = (list) => [picked, usual].find((id) => list.includes(id)) ?? list[0];
+  models(ids) {
     options($("export-model"), [], "");
     $("no-table").textContent = "";
-    options($("law-model"), allowed, first(allowed.map(([id]) => id)));
     $("save-table").disabled = true;
-    $("law-model").disabled = ids.length === 0;
-    if (ids.length === 0) {
-      noPicture($("law-picture"));
-      $("law-source").replaceChildren();
-      for (const language of ["shell", "python"]) $(`code-${language}`).textContent = "";
-    } else {
-      law();
-      tables();
-    }
+    if (ids.length === 0) for (const language of ["shell", "python"]) $(`code-${language}`).textContent = "";
+    else tables();
   },
 };
