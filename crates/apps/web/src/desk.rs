@@ -143,7 +143,6 @@ impl Desk {
             Message::Export { model, form, units } => {
                 table::table(self.scene()?, &model, &form, &units)?
             }
-            Message::Tables { models, form } => table::refusals(self.scene()?, &models, &form)?,
             Message::Link { state } => link::link(state)?.into(),
             Message::Unlink { link } => link::unlink(&link)?,
         })

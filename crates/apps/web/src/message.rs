@@ -53,8 +53,6 @@ pub(crate) enum Message {
     Scan,
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },
-    /// Why models have no such table in a form.
-    Tables { models: Vec<String>, form: String },
     /// The link of a state of the page.
     Link { state: Map<String, Value> },
     /// The state of a link.

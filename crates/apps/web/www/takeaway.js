@@ -1,7 +1,6 @@
 // Files and lines to take away.
 import { $, download, element, options } from "./page.js";
 import { answers, ask, chosen, desks, isSlow, page, state, work } from "./state.js";
-import { byReason } from "./answers.js";
 import { writeLink } from "./link.js";
 
 // The model that was ticked or chosen last: tables begin with it.
@@ -59,26 +58,6 @@ async function copyLink() {
   }
 }
 
-// The models that have a table in the chosen form; why the others have none.
-function tables() {
-  const { shown } = page;
-  const form = $("export-form").value;
-  const ids = chosen();
-  work("page", "tables", async () => {
-    const refused = {};
-    for (const slow of [false, true]) {
-      const models = ids.filter((id) => isSlow(id) === slow);
-      if (answers() && models.length > 0) Object.assign(refused, await ask(slow ? desks.slow : desks.quick, "tables", { models, form }));
-    }
-    if (page.shown !== shown || $("export-form").value !== form || String(chosen()) !== String(ids)) return;
-    const offered = ids.filter((id) => !refused[id]);
-    options($("export-model"), offered.map((id) => [id, id]), [picked, shown?.usual].find((id) => offered.includes(id)) ?? offered[0]);
-    $("save-table").disabled = offered.length === 0;
-    const rows = ids.filter((id) => refused[id]).map((model) => ({ model, reason: refused[model] }));
-    $("no-table").textContent = byReason(rows).map(([reason, models]) => `No table of ${models.join(", ")}: ${reason}`).join("; ");
-  });
-}
-
 // Lines that give the digits of the page beside its scene file: the same models at the same load.
 async function code() {
   if (!$("code").open || !answers() || !page.load) return;
@@ -108,7 +87,6 @@ export const takeAway = {
     $("copy-link").addEventListener("click", copyLink);
     $("code").addEventListener("toggle", takeAway.code);
     $("export-model").addEventListener("change", () => takeAway.pick($("export-model").value));
-    $("export-form").addEventListener("change", tables);
   },
   // The code of the present load.
   code: () => work("page", "code", code),
@@ -122,10 +100,8 @@ export const takeAway = {
   },
   // The models of the scene; none for a scene with an error.
   models(ids) {
-    options($("export-model"), [], "");
-    $("no-table").textContent = "";
-    $("save-table").disabled = true;
+    options($("export-model"), ids.map((id) => [id, id]), [picked, page.shown?.usual].find((id) => ids.includes(id)) ?? ids[0]);
+    $("save-table").disabled = ids.length === 0;
     if (ids.length === 0) for (const language of ["shell", "python"]) $(`code-${language}`).textContent = "";
-    else tables();
   },
 };
