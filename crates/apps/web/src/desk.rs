@@ -116,7 +116,6 @@ impl Desk {
             Message::Edit { text, changes, another } => {
                 surface_keys::edited(&text, &changes, another)?.into()
             }
-            Message::Changed { text } => fields::changed(&text).into(),
             Message::Form => {
                 let materials = asperity_scene::materials().iter().map(read_scene::material);
                 let mut form = surface_keys::form();

@@ -17,8 +17,6 @@ use crate::span::LoadKeys;
 pub(crate) enum Message {
     /// Reads the text of a scene, which is the scene of later messages.
     Show { text: String },
-    /// The text of an example that was changed.
-    Changed { text: String },
     /// The text with other values; `another`: the other surface is not like the first.
     Edit {
         text: String,
