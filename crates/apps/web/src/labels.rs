@@ -99,7 +99,7 @@ pub(crate) fn symbols(text: &str) -> String {
 pub(crate) fn message(found: &Finding, merge: bool) -> String {
     let words = |advice: Advice| match advice {
         Advice::UseModels(YIELDING) if merge => format!("use {WITHOUT_ASPERITIES}"),
-        Advice::CompareCutOffs => "see the table of slopes and curvatures".into(),
+        Advice::CompareCutOffs => "see the picture of slopes and curvatures".into(),
         Advice::Despike => "\"Replace outliers\" in \"More about the scan\" replaces them".into(),
         other => other.to_string(),
     };
