@@ -145,7 +145,7 @@ fn solved(press: &Press<'_>, pressed: &Pressed) -> Result<Value, Refusal> {
             columns.push(column);
         }
     }
-    let notes: Value = pressed.notes.iter().map(|note| finding(note, false)).collect();
+    let notes: Value = pressed.notes.iter().map(finding).collect();
     Ok(json!({
         "event": "solved",
         "pressure": row[1],
