@@ -11,7 +11,7 @@ use clap::Args;
 use clap::error::ErrorKind;
 
 use super::bem;
-use crate::input::args::{DrawnArgs, EndArgs, PressArgs, file_ending, loads, model_id, tolerance};
+use crate::input::args::{DrawnArgs, EndArgs, PressArgs, file_ending, loads, model_id};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
@@ -38,6 +38,9 @@ pub struct Joint {
     end: EndArgs,
     #[command(flatten)]
     place: Closed,
+    /// Take a new joint through the separations, loads or pressures as turning points
+    #[arg(long, conflicts_with = "retreat")]
+    history: bool,
     /// Unloading laws of the asperities: hertz, brake, etsion, or several
     #[arg(long = "law", value_name = "LAW", default_value = "hertz", value_delimiter = ',')]
     laws: Vec<UnloadingLaw>,
@@ -47,7 +50,7 @@ pub struct Joint {
     retreat: Option<Distances>,
     /// Coefficient of friction, for example 0.2 or 20%: the joint slips
     #[arg(long, value_name = "MU", value_parser = friction, requires = "cycle")]
-    #[arg(conflicts_with_all = ["retreat", "history", "history_load", "history_pressure"])]
+    #[arg(conflicts_with_all = ["retreat", "history"])]
     friction: Option<f64>,
     #[command(flatten)]
     cycle: Cycle,
@@ -61,38 +64,23 @@ pub struct Joint {
     stick_map: Option<PathBuf>,
     #[command(flatten)]
     press: PressArgs,
-    /// Relative tolerance of every value, from 1e-15 to 0.1; of curved bodies from 1e-8, and
-    /// 1e-6 in place of the default
-    #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
-    tolerance: Tolerance,
     #[command(flatten)]
     output: DrawnArgs,
 }
 
-/// The closest approach, the largest load, or turning points.
+/// The closest approach or the largest load; several with --friction and --history.
 #[derive(Debug, Args)]
 #[group(id = "place", required = true, multiple = false)]
 struct Closed {
     /// Closest approach, in units of asperity_height_std (sigma), or with a unit, for example 2um
-    #[arg(long, value_name = "D")]
+    #[arg(long, value_name = "D[,D]")]
     closest: Option<Distances>,
     /// Largest load, in N, or with a unit, for example 2kN
-    #[arg(long, value_name = "P", value_parser = all(load))]
+    #[arg(long, value_name = "P[,P]", value_parser = all(load))]
     load: Option<Numbers>,
     /// Largest load as a pressure on the nominal area, in Pa, or with a unit, for example 5MPa
-    #[arg(long, value_name = "P", value_parser = all(pressure))]
+    #[arg(long, value_name = "P[,P]", value_parser = all(pressure))]
     pressure: Option<Numbers>,
-    /// Turning points as separations, in sigma, or with a unit, for example 2um
-    #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
-    history: Option<Distances>,
-    /// Turning points as loads in N, or with a unit, for example 2kN
-    #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
-    #[arg(value_parser = all(load))]
-    history_load: Option<Numbers>,
-    /// Turning points as pressures on the nominal area, in Pa, or with a unit, for example 5MPa
-    #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
-    #[arg(value_parser = all(pressure))]
-    history_pressure: Option<Numbers>,
 }
 
 /// The amplitude of a cycle: a shift, or tangential forces.
@@ -118,22 +106,15 @@ fn retreats(text: &str) -> Result<Distances, String> {
 impl Closed {
     /// The closest approaches, largest loads or turning points; prints the findings there.
     fn all(&self, scene: &LoadedScene, model: &Model) -> Vec<At> {
-        let height_std = scene.file.scene.surface.asperity_height_std;
-        let mut places = vec![];
-        for (name, list) in [("closest", &self.closest), ("history", &self.history)] {
-            let Some(list) = list else { continue };
-            warn_unit(name, &list.value, list.unit, height_std);
+        let mut places: Vec<At> = loads(&self.load, &self.pressure).collect();
+        if let Some(list) = &self.closest {
+            let height_std = scene.file.scene.surface.asperity_height_std;
+            warn_unit("closest", &list.value, list.unit, height_std);
             let place = |value: &f64| At::from(scene.file.separation(*value, list.unit));
             places.extend(list.value.iter().map(place));
         }
-        let pressures = self.pressure.iter().chain(&self.history_pressure);
-        places.extend(loads(self.load.iter().chain(&self.history_load), pressures));
         scene.report(scene.file.judge(model, None, &places));
         places
-    }
-
-    fn turns(&self) -> bool {
-        self.history.is_some() || self.history_load.is_some() || self.history_pressure.is_some()
     }
 }
 
@@ -148,8 +129,8 @@ impl Joint {
             let text = "bem follows the contact itself; leave out --law";
             usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
-        if is_scan && self.place.turns() {
-            let text = "bem opens from one load; use --load, --pressure or --closest";
+        if is_scan && self.history {
+            let text = "bem opens from one load; leave out --history";
             usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
         if self.friction.is_some() && laws.len() > 1 {
@@ -162,11 +143,11 @@ impl Joint {
             let text = "--stick-map needs --model bem and one load";
             usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
-        let subject = scene.subject(&model, self.tolerance);
+        let subject = scene.subject(&model, Tolerance::default());
         if let Some(friction) = self.friction {
             return self.slip(&scene, &Slip { subject, law: laws[0], friction }, &places);
         }
-        if self.place.turns() {
+        if self.history {
             let (sheet, ()) = scene.answer(|sheet| history(&subject, &laws, &places, sheet))?;
             let from = scene.file.plane();
             let columns = ["force_N", "stiffness_N_per_m"];
@@ -174,7 +155,7 @@ impl Joint {
             return self.output.write(&sheet, || plot.svg(&sheet));
         }
         let [closest] = places[..] else {
-            let text = "give one closest approach, --load or --pressure; --history, --history-load and --history-pressure take several";
+            let text = "give one closest approach, --load or --pressure; --history takes several";
             usage_error("joint", ErrorKind::TooManyValues, text)
         };
         let retreats = self.retreat.as_ref().map(|list| (&list.value[..], list.unit));
