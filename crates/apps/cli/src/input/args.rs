@@ -342,7 +342,7 @@ pub fn patch_file() -> impl TypedValueParser<Value = PathBuf> {
 }
 
 /// A relative tolerance.
-pub fn tolerance(text: &str) -> Result<Tolerance, String> {
+fn tolerance(text: &str) -> Result<Tolerance, String> {
     let tolerance = if text.contains('%') { relative_error(text)? } else { number(text)? };
     Tolerance::new(tolerance).map_err(|e| e.to_string())
 }
