@@ -14,7 +14,7 @@ use clap::{ArgGroup, Args};
 
 use crate::input::args::{DrawnArgs, EndArgs, model_id};
 use crate::input::numbers::{load, pressure};
-use crate::input::target::{metres, target};
+use crate::input::target::target;
 use crate::input::valid;
 use crate::interrupt;
 use crate::output::fit_report::table;
@@ -57,9 +57,6 @@ pub struct FitCommand {
     /// Load of the target as a pressure on the nominal area, in Pa, or with a unit
     #[arg(long, value_name = "P", value_parser = pressure, group = "place", conflicts_with = "data")]
     pressure: Option<f64>,
-    /// Separation of the target, with its unit, for example 2um
-    #[arg(long, value_name = "D", value_parser = metres, group = "place", conflicts_with = "data")]
-    separation: Option<f64>,
     #[command(flatten)]
     output: DrawnArgs,
 }
@@ -159,11 +156,7 @@ impl FitCommand {
             let table = read_measurements(path)?;
             return scene.file.data(&table).with_context(|| path.display().to_string());
         }
-        let places = [
-            ("load_N", self.load),
-            ("pressure_Pa", self.pressure),
-            ("separation_m", self.separation),
-        ];
+        let places = [("load_N", self.load), ("pressure_Pa", self.pressure)];
         let places =
             places.into_iter().filter_map(|(name, value)| Some((name.to_string(), value?)));
         let columns = places.chain(self.target.iter().cloned());

@@ -1,4 +1,4 @@
-//! A wanted value of a quantity, and its place.
+//! A wanted value of a quantity.
 
 use asperity::Quantity;
 
@@ -17,14 +17,6 @@ pub fn target(text: &str) -> Result<(String, f64), String> {
         (_, unit) => of_unit(value, unit),
     };
     Ok((quantity.column(), number?))
-}
-
-/// A separation with its unit: a plain number would mean multiples of sigma elsewhere.
-pub fn metres(text: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
-        Ok(_) => Err(format!("{text} has no unit; give the separation in metres, for example 2um")),
-        Err(_) => of_unit(text, "m"),
-    }
 }
 
 #[cfg(test)]
@@ -54,6 +46,5 @@ mod tests {
         for bad in ["area", "aera=1e-6", "area=big", "area=1 N", "area_fraction=%", "area=nan"] {
             assert!(target(bad).is_err(), "{bad}");
         }
-        assert!(metres("2").is_err() && metres("2um").is_ok());
     }
 }
