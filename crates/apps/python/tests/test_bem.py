@@ -94,8 +94,6 @@ def test_scene_and_scan_are_the_same_contact(scene: asperity.Scene) -> None:
     two = asperity.bem(scan(), interface=STEEL, pressure=[5e7], maps=False)
     np.testing.assert_allclose(one["area_fraction"], two["area_fraction"], rtol=1e-12)
     assert one["load_N"] == pytest.approx(50.0)
-    back = asperity.bem(scene, gap=one["mean_gap_m"])
-    np.testing.assert_allclose(back["pressure_Pa"], 5e7, rtol=1e-4)
     # Other materials keep the scan, another surface does not.
     assert asperity.bem(scene.replace(hardness=1e9), load=50.0)["plastic_fraction"] > 0
     with pytest.raises(ValueError, match=r"surface\.file"):

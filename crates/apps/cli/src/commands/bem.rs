@@ -12,7 +12,7 @@ use clap::{ArgAction, Args};
 
 use crate::input::args::{EndArgs, OutputArgs, PressArgs, file_ending, listed_model_id};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{length, load, pressure};
+use crate::input::numbers::{load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::{self, terminal};
 use crate::output::{self, contact_map, show};
@@ -33,7 +33,7 @@ pub struct BemCommand {
     places: Places,
     /// Compare models with boundary elements: area, mean gap and, unless --quantity names others,
     /// the stiffness of first loading, with deviations
-    #[arg(long, conflicts_with_all = ["gaps", "map", "picture", "flow_picture"])]
+    #[arg(long, conflicts_with_all = ["map", "picture", "flow_picture"])]
     compare: bool,
     /// Models to compare [default: all that the scene allows, with random asperities and Persson]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
@@ -77,7 +77,7 @@ const SAMPLES: u16 = 8;
 /// How maps are written.
 const NPY: &str = "matrices are written in NumPy format";
 
-/// The loads or gaps to solve.
+/// The loads to solve.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 struct Places {
@@ -94,24 +94,14 @@ struct Places {
     #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load))]
     #[arg(action = ArgAction::Append)]
     loads: Vec<Numbers>,
-    /// Mean gaps above 0, in m; where the mean planes of a yielded contact have passed each other,
-    /// give loads
-    #[arg(long = "gap", value_name = "A:B:N[:log]|v,v", value_parser = all(length))]
-    #[arg(action = ArgAction::Append)]
-    gaps: Vec<Numbers>,
 }
 
 impl Places {
-    /// The loads and gaps in the order of the command line; the pressure on the scan is that on the
-    /// nominal area.
-    fn given(&self, nominal_area: f64) -> Vec<LoadCase> {
-        let all = |lists: &[Numbers], given: &dyn Fn(f64) -> LoadCase| {
-            lists.iter().flat_map(|list| &list.0).map(|value| given(*value)).collect::<Vec<_>>()
-        };
-        let mut given = all(&self.pressures, &LoadCase::MeanPressure);
-        given.extend(all(&self.loads, &|load| LoadCase::MeanPressure(load / nominal_area)));
-        given.extend(all(&self.gaps, &LoadCase::MeanGap));
-        given
+    /// The pressures on the nominal area, and so on the scan.
+    fn pressures(&self, nominal_area: f64) -> Vec<f64> {
+        let pressures = self.pressures.iter().flat_map(|list| &list.0).copied();
+        let loads = self.loads.iter().flat_map(|list| &list.0);
+        pressures.chain(loads.map(|load| load / nominal_area)).collect()
     }
 }
 
@@ -119,10 +109,10 @@ impl BemCommand {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load_scan(&self.scene, self.press.options(), self.compare)?
             .taken_at(&self.end)?;
-        let given = self.places.given(scene.file.scene.nominal_area);
+        let pressures = self.places.pressures(scene.file.scene.nominal_area);
         for (name, path) in [("--picture", &self.picture), ("--flow-picture", &self.flow_picture)] {
-            if path.is_some() && given.len() > 1 {
-                let text = format!("{name} draws one load, not {}", given.len());
+            if path.is_some() && pressures.len() > 1 {
+                let text = format!("{name} draws one load, not {}", pressures.len());
                 usage_error("bem", ErrorKind::ArgumentConflict, &text);
             }
         }
@@ -136,6 +126,7 @@ impl BemCommand {
             return self.seal(&scene, &bem);
         }
         let (file, name) = (&scene.file, &*scene.name);
+        let given: Vec<LoadCase> = pressures.iter().copied().map(LoadCase::MeanPressure).collect();
         let press = Press {
             name,
             refine: self.refine,
@@ -145,11 +136,6 @@ impl BemCommand {
         let watch = terminal()?;
         let fill = |sheet: &mut Sheet| match self.compare {
             true => {
-                let pressure = |given: &LoadCase| match given {
-                    LoadCase::MeanPressure(pressure) => Some(*pressure),
-                    _ => None,
-                };
-                let pressures: Vec<f64> = given.iter().filter_map(pressure).collect();
                 let scan = (file, name, &bem);
                 let quantities = compared(&self.quantities)?;
                 truth(scan, &self.models, &pressures, &quantities, self.refine, sheet, &watch)
@@ -173,7 +159,7 @@ impl BemCommand {
             }
         }
         if sheet.rows.is_empty() || interrupt::requested() {
-            interrupt::end(sheet.rows.len(), given.len());
+            interrupt::end(sheet.rows.len(), pressures.len());
         }
         Ok(())
     }

@@ -39,7 +39,6 @@ def bem(
     *,
     pressure: npt.ArrayLike | None = None,
     load: npt.ArrayLike | None = None,
-    gap: npt.ArrayLike | None = None,
     interface: Interface | None = None,
     level: str | None = None,
     elastic: bool = False,
@@ -54,9 +53,9 @@ def bem(
     surface : Topography or Scene
         A scan; or a scene whose file names a scan ([surface] file = ...), with the levelling and
         filter of that file.
-    pressure, load, gap : array_like
-        One of them: mean pressures [Pa], loads [N] on the nominal area of the scene or, without a
-        scene, on the area of the scan, or mean gaps [m].
+    pressure, load : array_like
+        One of them: mean pressures [Pa], or loads [N] on the nominal area of the scene or, without a
+        scene, on the area of the scan.
     interface : Interface
         The two bodies; for a Topography.
     level : "plane", "quadratic", "mean" or "none"
@@ -95,7 +94,7 @@ def bem(
     >>> contacts.pressures.shape, contacts["area_fraction"].round(3), contacts["patches"]
     ((2, 192, 192), array([0.021, 0.126]), array([72., 72.]))
     """
-    name, given = place(pressure=pressure, load=load, gap=gap)
+    name, given = place(pressure=pressure, load=load)
     values = floats(given, name).ravel().tolist()
     scan = surface, interface, level, (boundary, elastic)
     found, kept, pixels = _asperity.bem(scan, (name, values), maps, quantities or None)

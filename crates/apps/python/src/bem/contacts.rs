@@ -18,7 +18,7 @@ use crate::tables::{Table, table, warn_of};
 /// The package's `Table`; pressures and gaps of all pixels, if kept; rows, columns of the scan.
 type Contacts<'py> = (Table<'py>, Option<[Bound<'py, PyArray1<f64>>; 2]>, [usize; 2]);
 
-/// Solves contacts at mean pressures, loads or mean gaps.
+/// Solves contacts at mean pressures or loads.
 #[pyfunction]
 pub(crate) fn bem<'py>(
     py: Python<'py>,

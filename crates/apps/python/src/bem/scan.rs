@@ -87,10 +87,9 @@ pub(super) fn options((boundary, elastic): Pressing) -> PyResult<BemOptions> {
     Ok(BemOptions { boundary: boundary.map(named).transpose()?, elastic })
 }
 
-/// Mean gaps \[m\], loads \[N\] on `area` \[m^2\] or pressures \[Pa\], as they are named.
+/// Loads \[N\] on `area` \[m^2\] or pressures \[Pa\], as they are named.
 pub(super) fn load_cases((name, values): (String, Vec<f64>), area: f64) -> Vec<LoadCase> {
     let case = |value| match &*name {
-        "gap" => LoadCase::MeanGap(value),
         "load" => LoadCase::MeanPressure(value / area),
         _ => LoadCase::MeanPressure(value),
     };
