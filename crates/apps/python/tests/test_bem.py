@@ -220,42 +220,6 @@ def test_ctrl_c_stops_the_solver() -> None:
     sender.join()
 
 
-def test_a_yielded_scan_opens_along_its_own_path() -> None:
-    i = np.arange(64) * 2 * np.pi / 64
-    waves = 2e-8 * (np.cos(3 * i)[:, None] * np.cos(2 * i) + 0.4 * np.sin(5 * i + 1)[:, None])
-    heights = asperity.Topography(waves, 1e-6, "m", periodic=True)
-    solid = asperity.Interface(1e11, 0.3, hardness=1.5e8)
-    given: dict[str, Any] = {"interface": solid}
-    path = asperity.bem_unloading(heights, pressure="50 MPa", points=5, **given)
-    loaded = asperity.bem(heights, pressure=50e6, quantities=["unloading-stiffness"], **given)
-    assert loaded["plastic_fraction"] > 0
-    assert path["pressure_Pa"][0] == pytest.approx(50e6, rel=1e-9)
-    stiffness = loaded["unloading_stiffness_N_per_m"][0]
-    assert path["stiffness_N_per_m"][0] == pytest.approx(stiffness, rel=1e-9)
-    assert path["area_fraction"][0] == pytest.approx(loaded["area_fraction"][0], rel=1e-9)
-    assert path["pressure_Pa"][-1] <= 0
-    assert path["retreat_m"][-1] == pytest.approx(path.last_contact)
-    retreat = path["retreat_m"][1]
-    again = asperity.bem_unloading(heights, load=path["load_N"][0], retreat=retreat, **given)
-    assert again["pressure_Pa"] == pytest.approx(path["pressure_Pa"][1], rel=1e-6)
-
-
-def test_a_scan_slips_and_sticks(tmp_path: Path, scene: asperity.Scene) -> None:
-    np.save(tmp_path / "scan.npy", rough())
-    shear = "equivalent_shear_modulus = 24e9"
-    elastic = asperity.Scene.parse(scene.to_toml().replace("hardness = 2e9", shear), tmp_path)
-    given: dict[str, Any] = {"friction": 0.3, "pressure": "20 MPa"}
-    slip = asperity.bem_slip(elastic, amplitude="3 nm", points=5, **given)
-    force, back, loss = slip["force_N"], slip["back_N"], slip["loss_J"]
-    np.testing.assert_allclose(slip["shift_m"], np.linspace(-3e-9, 3e-9, 5), atol=1e-24)
-    assert np.isnan(force[:2]).all() and force[2] == 0
-    assert slip["forth_N"][2] == -back[2] and 0 < loss[3] < loss[4]
-    pressed = asperity.bem(elastic, pressure=20e6)
-    assert pressed.pressures is not None
-    np.testing.assert_array_equal(slip.states > 0, pressed.pressures[0] > 0)
-    assert {1.0, 2.0} < set(slip.states.ravel())
-
-
 SEAL = """
 [seal]
 width = "100 mm"

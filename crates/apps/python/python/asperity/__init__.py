@@ -38,11 +38,7 @@ from asperity._asperity import UnsupportedFormat as UnsupportedFormat
 from asperity._asperity import random_surface as random_surface
 from asperity._asperity import template as template
 from asperity._bem import BemContacts as BemContacts
-from asperity._bem import BemSlip as BemSlip
-from asperity._bem import BemUnloading as BemUnloading
 from asperity._bem import bem as bem
-from asperity._bem import bem_slip as bem_slip
-from asperity._bem import bem_unloading as bem_unloading
 from asperity._bem import sealing_pressure as sealing_pressure
 from asperity._bem import truth as truth
 from asperity._curve import Curve as Curve

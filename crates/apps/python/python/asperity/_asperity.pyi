@@ -54,8 +54,6 @@ __all__ = [
     "shares",
     "template",
     "truth",
-    "bem_slip",
-    "bem_unloading",
     "checked",
     "derived",
     "interface_of",
@@ -406,15 +404,6 @@ def bem(
     keep: bool,
     quantities: str | Iterable[str] | None,
 ) -> tuple[_Table, list[_Floats] | None, list[int]]: ...
-def bem_unloading(
-    pressed: _Pressed,
-    given: tuple[str, Sequence[_Float]],
-    retreats: Sequence[_Float] | None,
-    points: int,
-) -> tuple[_Fields, float, str]: ...
-def bem_slip(
-    pressed: _Pressed, given: tuple[str, _Float], friction: _Float, cycle: tuple[_Float, int]
-) -> tuple[_Table, _Floats, list[int]]: ...
 def sealing_pressure(pressed: _Pressed, samples: int) -> _Table: ...
 def truth(
     scene: Scene,

@@ -2,4 +2,3 @@
 
 pub(crate) mod contacts;
 mod scan;
-pub(crate) mod slip;
