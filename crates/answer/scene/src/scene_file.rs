@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use asperity::{
     Code, ContactError, Datum, Findings, HeightDistribution, Scene, Separation, SeparationUnit,
-    SolvedContact, Surface, TabulatedHeights,
+    SolvedContact, TabulatedHeights,
 };
 use asperity_topography::Topography;
 
