@@ -28,7 +28,7 @@ mod topography;
 mod _asperity {
     #[pymodule_export]
     use crate::{
-        ask::advice::{best, check, plan, profile, pull_off},
+        ask::advice::{best, check, profile, pull_off},
         ask::contact::Contact,
         ask::values::{answer, separations, shares},
         bem::contacts::{bem, sealing_pressure, truth},

@@ -22,9 +22,7 @@ True
 from importlib.metadata import version as _version
 
 from asperity._advice import Answer as Answer
-from asperity._advice import Plan as Plan
 from asperity._advice import check as check
-from asperity._advice import plan as plan
 from asperity._arguments import Scenes as Scenes
 from asperity._asperity import Contact as Contact
 from asperity._asperity import ContactWarning as ContactWarning

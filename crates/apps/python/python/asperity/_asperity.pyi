@@ -43,7 +43,6 @@ __all__ = [
     "materials",
     "column_of",
     "model_ids",
-    "plan",
     "profile",
     "pull_off",
     "quantities",
@@ -389,7 +388,6 @@ def separations(
     asked: _Asked, unit: str, all: bool, stop: bool
 ) -> tuple[_Floats | list[_Floats], _Failures]: ...
 def shares(asked: _Asked) -> dict[str, _Floats]: ...
-def plan(asked: _Asked) -> tuple[str, _Fields]: ...
 def profile(scene: Scene, load: _Float, model: str, rtol: _Float) -> _Table: ...
 def best(
     scene: Scene,
