@@ -94,16 +94,3 @@ def test_tables_for_solvers_are_those_of_the_library(scene: asperity.Scene) -> N
     mm = asperity.export("ke", scene, load=(1.0, 1e3), max_error=1e-4, units="mm-N-MPa")
     assert "clearance_mm,pressure_MPa,tangent_MPa_per_mm" in mm.text
     np.testing.assert_array_equal(mm.pressure, table.pressure)
-
-
-def test_curves_are_drawn(scene: asperity.Scene) -> None:
-    curve = asperity.model("ke").solve(scene, load=np.geomspace(1, 1e3, 9), quantities=["area", "tangent"])
-    axes = curve.plot()
-    assert axes.get_xscale() == axes.get_yscale() == "log"
-    (line,) = axes.get_lines()
-    np.testing.assert_allclose(line.get_ydata(), curve.area)
-    assert curve.plot(axes, "tangent", color="k") is axes and len(axes.get_lines()) == 2
-    many = asperity.model("ke").solve(scene.vary(hardness=[[1e9], [2e9]]), [0.0, 1.0, 2.0])
-    assert len(many.plot().get_lines()) == 2
-    with pytest.raises(KeyError, match="force was"):
-        curve.plot(quantity="force")
