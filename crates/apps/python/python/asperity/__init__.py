@@ -56,7 +56,6 @@ from asperity._records import Asperity as Asperity
 from asperity._records import Body as Body
 from asperity._records import Interface as Interface
 from asperity._records import Surface as Surface
-from asperity._surfaces import Picture as Picture
 from asperity._surfaces import read as read
 from asperity._sweep import sample as sample
 from asperity._sweep import sweep as sweep

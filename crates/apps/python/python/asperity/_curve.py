@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import AXES, LOADS, Aspect, Floats, Rows, SceneLike, unit_in
+from asperity._arguments import AXES, LOADS, Aspect, Floats, Rows, SceneLike
 from asperity._asperity import Engine
 
 if TYPE_CHECKING:
