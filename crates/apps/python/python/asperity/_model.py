@@ -385,8 +385,6 @@ class Model(Engine):
         >>> force, stiffness, closest = table.step(2.1e-6, closest)  # unloading
         >>> f"{force:.2f} N, {stiffness:.2e} N/m, from {closest:.1e} m"
         '137.00 N, 6.83e+08 N/m, from 2.0e-06 m'
-        >>> table.history([2e-6, 2.1e-6, 2e-6])[0].round(2)
-        array([216.94, 137.  , 216.94])
         """
         scene, unit = one_scene(scene, "joint_table"), checked_unit(separation_unit)
         given = in_si([deepest, open], "m")
