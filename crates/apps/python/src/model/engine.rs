@@ -167,14 +167,6 @@ impl Engine {
         }
     }
 
-    /// The model's id and its own options: options of other models may differ between scenes.
-    fn own_options(&self, options: ModelOptions) -> PyResult<impl PartialEq> {
-        let (model, all) = (self.with(options, None)?, self.options(options)?);
-        let own = model.options();
-        let unknown = own.is_none().then_some(all);
-        Ok((model.id().to_string(), own, unknown))
-    }
-
     /// The model on a scene; options of the model replace the scene's.
     pub(crate) fn on(&self, file: &SceneFile) -> PyResult<Model> {
         self.with(file.spec.options, Some(file))
@@ -198,9 +190,7 @@ impl Engine {
         }
         let first = files.first().map_or_else(ModelOptions::default, |file| file.spec.options);
         for (k, file) in files.iter().enumerate() {
-            if file.spec.options != first
-                && self.own_options(file.spec.options)? != self.own_options(first)?
-            {
+            if file.spec.options != first {
                 return Err(value_error(format!(
                     "scene {k} has other options than scene 0: give the options to asperity.model"
                 )));
