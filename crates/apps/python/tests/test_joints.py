@@ -144,7 +144,7 @@ def test_a_model_written_in_python_unloads(scene: asperity.Scene) -> None:
         assert joint.force(u / sigma) == pytest.approx(wanted, rel=1e-8)
 
 
-def steps_along(table: asperity.JointTable, way: npt.NDArray[np.float64]) -> Any:
+def steps_along(table: asperity.JointTable, way: Floats) -> Any:
     """Force and stiffness along a sequence of separations of a new joint."""
     before = np.concatenate([[np.inf], np.minimum.accumulate(way)[:-1]])
     return table.step(way, before)[:2]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use asperity::bem::Bem;
-use asperity::{Asperities, Citation, Code, ContactError, Model, Quantity, testkit};
+use asperity::{Citation, Code, ContactError, Model, Quantity, testkit};
 use asperity_answer::{AnswerError, Sheet, models};
 use asperity_scene::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
@@ -33,8 +33,7 @@ impl Engine {
     fn new(model: &Object<'_>, options: BTreeMap<String, KeyValue>) -> PyResult<Self> {
         let Ok(id) = model.extract() else {
             let raised = Raised::default();
-            let asperities = asperities_of(model)?;
-            let model = Model::new(PythonModel::new(model, raised.clone())?).on(asperities);
+            let model = Model::new(PythonModel::new(model, raised.clone())?);
             return Ok(Self(Kind::Python { model, raised }));
         };
         let given = options.into_iter().map(|(name, value)| (name, value.into())).collect();
@@ -225,20 +224,6 @@ impl Engine {
         match &self.0 {
             Kind::Python { raised, .. } => Some(raised),
             Kind::Named { .. } => None,
-        }
-    }
-}
-
-/// The asperities that a class of laws names: "equal" ones, unless it says "random" or "pairs".
-fn asperities_of(laws: &Object<'_>) -> PyResult<Asperities> {
-    let named: String = laws.getattr("asperities")?.extract()?;
-    match named.as_str() {
-        "equal" => Ok(Asperities::Equal),
-        "random" => Ok(Asperities::Random),
-        "pairs" => Ok(Asperities::Pairs),
-        _ => {
-            let required = "\"equal\", \"random\" or \"pairs\" was required";
-            Err(value_error(format!("asperities is {named:?}: {required}")))
         }
     }
 }
