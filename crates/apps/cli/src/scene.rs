@@ -14,10 +14,6 @@ use crate::input::args::EndArgs;
 use crate::input::destinations;
 use crate::output::{self, print_results, show};
 
-fn is_periodic(given: BemOptions) -> bool {
-    given.boundary == Some(Continuation::Periodic)
-}
-
 /// A scene file and its name.
 pub struct LoadedScene {
     pub file: SceneFile,
@@ -33,25 +29,20 @@ impl LoadedScene {
     /// Reads the file for these models, and reports what is unusual; on its asperities only if one
     /// of the models uses asperities; otherwise a scan needs none.
     pub fn load(path: &Path, ids: &[String]) -> Result<Self> {
-        Self::load_pressing(path, ids, BemOptions::default())
-    }
-
-    /// The same with these options of boundary elements before the scene's.
-    pub fn load_pressing(path: &Path, ids: &[String], given: BemOptions) -> Result<Self> {
-        let asperities = use_asperities(ids);
-        if !asperities || is_periodic(given) {
-            return Self::load_scan(path, given, asperities);
+        if !use_asperities(ids) {
+            return Self::load_scan(path, BemOptions::default(), false);
         }
         let scene = Self::open(path)?;
         scene.report_scene(true);
-        Ok(Self { file: scene.file.pressing(given), ..scene })
+        Ok(scene)
     }
 
     /// Reads the file of a scan, which may have no asperities and, with a periodic boundary, is
     /// declared periodic whatever the file says; reports what is unusual, on its asperities if they
     /// are used.
     pub fn load_scan(path: &Path, given: BemOptions, asperities: bool) -> Result<Self> {
-        let file = asperity_scene::load_scan(path, is_periodic(given))?.pressing(given);
+        let is_periodic = given.boundary == Some(Continuation::Periodic);
+        let file = asperity_scene::load_scan(path, is_periodic)?.pressing(given);
         let scene = Self { file, name: path.display().to_string() }.kept()?;
         scene.report_scene(asperities);
         Ok(scene)

@@ -14,7 +14,7 @@ use clap::Args;
 use clap::error::ErrorKind;
 
 use crate::commands::pull_off::pull_off;
-use crate::input::args::{DrawnArgs, ModelArgs, PressArgs, model_id, patch_file};
+use crate::input::args::{DrawnArgs, ModelArgs, model_id, patch_file};
 use crate::input::usage_error;
 use crate::input::varied::Varied;
 use crate::interrupt::Terminal;
@@ -84,15 +84,11 @@ pub struct Curve {
     #[arg(long, value_name = "FILE.csv|svg", value_parser = patch_file(), requires = "given")]
     profile: Option<PathBuf>,
     #[command(flatten)]
-    press: PressArgs,
-    #[command(flatten)]
     output: DrawnArgs,
 }
 
 impl Curve {
     pub fn run(self) -> Result<()> {
-        let named = [&self.asked.models[..], self.reference.as_slice()].concat();
-        let press = self.press.of_models("curve", &named);
         let ids = &self.asked.models;
         if self.asked.is_nowhere() && ids.iter().any(|id| id == Bem::ID) {
             let text =
@@ -118,7 +114,7 @@ impl Curve {
                 // Above the messages about it.
                 print_results(&[format!("{name}:")]);
             }
-            let scene = LoadedScene::load_pressing(path, ids, press)?;
+            let scene = LoadedScene::load(path, ids)?;
             let plane = scene.file.plane();
             let (request, part) = self.rows(scene)?;
             match others {

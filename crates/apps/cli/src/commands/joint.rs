@@ -11,7 +11,7 @@ use clap::Args;
 use clap::error::ErrorKind;
 
 use super::bem;
-use crate::input::args::{DrawnArgs, EndArgs, PressArgs, file_ending, loads, model_id};
+use crate::input::args::{DrawnArgs, EndArgs, file_ending, loads, model_id};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
@@ -62,8 +62,6 @@ pub struct Joint {
     #[arg(long, value_name = "FILE.npy|svg|png", requires = "amplitude")]
     #[arg(value_parser = file_ending(&["npy", "svg", "png"], "maps are written as npy, svg or png, and `inkscape map.svg -o map.pdf` makes pdf of one"))]
     stick_map: Option<PathBuf>,
-    #[command(flatten)]
-    press: PressArgs,
     #[command(flatten)]
     output: DrawnArgs,
 }
@@ -121,8 +119,7 @@ impl Closed {
 impl Joint {
     pub fn run(self) -> Result<()> {
         let ids = self.model.as_slice();
-        let press = self.press.of_models("joint", ids);
-        let scene = LoadedScene::load_pressing(&self.scene, ids, press)?.taken_at(&self.end)?;
+        let scene = LoadedScene::load(&self.scene, ids)?.taken_at(&self.end)?;
         let model = scene.one_or_usual(self.model.as_deref())?;
         let (laws, is_scan) = (once(&self.laws), model.id() == Bem::ID);
         if is_scan && laws != [UnloadingLaw::Hertz] {

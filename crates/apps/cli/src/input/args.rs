@@ -101,16 +101,6 @@ impl PressArgs {
     pub fn options(self) -> BemOptions {
         BemOptions { boundary: self.boundary, elastic: self.elastic }
     }
-
-    /// The same, where one of these models is bem.
-    pub fn of_models(self, command: &str, ids: &[String]) -> BemOptions {
-        let options = self.options();
-        if options != BemOptions::default() && !ids.iter().any(|id| id == Bem::ID) {
-            let text = "--boundary and --elastic need --model bem";
-            usage_error(command, ErrorKind::ArgumentConflict, text);
-        }
-        options
-    }
 }
 
 /// Format and destination of a result.
