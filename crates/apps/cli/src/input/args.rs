@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use asperity::bem::{Bem, BemOptions, Continuation};
-use asperity::recommended::BEM;
 use asperity::{At, Described, Model, Quantity, Request, Separation, SeparationUnit, Tolerance};
 use asperity_answer::{ALL_MODELS, Sheet};
 use asperity_scene::SceneFile;
@@ -59,7 +58,9 @@ pub struct ModelArgs {
     #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = all(pressure_or_tension))]
     #[arg(action = ArgAction::Append, group = "given")]
     pressures: Vec<Numbers>,
-    #[arg(long = "quantity", value_name = "Q", value_delimiter = ',', help = quantities_help())]
+    /// Quantities, as listed by `asperity list quantities` [default: force, area and tangent; of
+    /// curved bodies those of their patch]
+    #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Relative tolerance of every value, from 1e-15 to 0.1; of curved bodies from 1e-8, and
     /// 1e-6 in place of the default
@@ -270,20 +271,6 @@ impl DrawnArgs {
             false => result().and_then(|()| draw()),
         }
     }
-}
-
-fn quantities_help() -> String {
-    let names = |of: fn(Quantity) -> bool| {
-        let listed = Quantity::ALL.into_iter().filter(|q| of(*q));
-        listed.map(|quantity| quantity.to_string()).collect::<Vec<_>>().join(", ")
-    };
-    format!(
-        "Quantities: {}; for asperities of one radius with circular contacts also {}; of {BEM} {}; of the film {}",
-        names(|q| !q.needs_circles() && q.is_of_models()),
-        names(Quantity::needs_circles),
-        names(Quantity::is_of_map),
-        names(Quantity::is_flow_factor),
-    )
 }
 
 /// The id of a model of this project.
