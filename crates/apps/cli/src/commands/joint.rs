@@ -48,7 +48,7 @@ pub struct Joint {
     /// for example 0:100nm:11
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = retreats)]
     retreat: Option<Distances>,
-    /// Coefficient of friction, for example 0.2 or 20%: the joint slips
+    /// Coefficient of friction, for example 0.2: the joint slips
     #[arg(long, value_name = "MU", value_parser = friction, requires = "cycle")]
     #[arg(conflicts_with_all = ["retreat", "history"])]
     friction: Option<f64>,

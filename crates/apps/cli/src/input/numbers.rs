@@ -78,9 +78,9 @@ pub fn number(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A coefficient of friction, "20%" or "0.2", or the angle of friction, "11.3deg".
+/// A coefficient of friction.
 pub fn friction(text: &str) -> Result<f64, String> {
-    coefficient_of_friction(slope(text)?).map_err(|error| error.to_string())
+    coefficient_of_friction(positive_number(text)?).map_err(|error| error.to_string())
 }
 
 /// A share up to 1, "5%" or "0.05"; a plain number above 1 is ambiguous and refused.
@@ -105,17 +105,6 @@ pub fn relative_error(text: &str) -> Result<f64, String> {
 /// A share above 0, likewise.
 pub fn share_above_0(text: &str) -> Result<f64, String> {
     share(text).and_then(positive)
-}
-
-/// A slope above 0: a number, or in per cent or degrees.
-pub fn slope(text: &str) -> Result<f64, String> {
-    match text.trim().strip_suffix("deg").or(text.trim().strip_suffix('\u{b0}')) {
-        Some(degrees) => match positive_number(degrees)? {
-            degrees if degrees < 90.0 => Ok(degrees.to_radians().tan()),
-            _ => Err(format!("{text} is not below 90 degrees")),
-        },
-        None => relative_error(text).and_then(positive),
-    }
 }
 
 /// A finite number above 0.
