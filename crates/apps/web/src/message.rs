@@ -47,7 +47,7 @@ pub(crate) enum Message {
     Curve { models: Vec<String> },
     /// The picture of rows.
     Draw(Draw),
-    /// The numbers of the scan, and the shape of its heights.
+    /// The numbers of the scan and its pictures.
     Scan,
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },

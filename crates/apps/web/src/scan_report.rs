@@ -2,23 +2,14 @@
 
 use asperity_plot::{caption_of_surface, draw_material_ratio, draw_surface};
 use asperity_scene::SceneFile;
-use asperity_topography::{Glance, Level, Reported, Topography};
-use serde::{Deserialize, Serialize};
+use asperity_topography::{Glance, Level, Reported};
 use serde_json::{Value, json};
 
 use crate::refusal::Refusal;
 use crate::shown::{number, shown};
 
-/// The shape of the heights of a scan.
-#[derive(Debug, Serialize, Deserialize)]
-pub(crate) struct Shape {
-    columns: usize,
-    pixel_size: [f64; 2],
-    periodic: bool,
-}
-
-/// The statistics and functional parameters of the scan of a scene, and the shape of its heights.
-pub(crate) fn numbers(file: &SceneFile) -> Result<Value, Refusal> {
+/// The statistics and functional parameters of the scan of a scene, its pictures and a caption.
+pub(crate) fn report(file: &SceneFile) -> Result<Value, Refusal> {
     let (Some(scan), Some(measured)) = (file.scan(), &file.measured) else {
         return Err(Refusal::new("the scene has no scan"));
     };
@@ -26,23 +17,13 @@ pub(crate) fn numbers(file: &SceneFile) -> Result<Value, Refusal> {
         |of: Reported| Some(number(of.name, shown(of.value?, of.unit), of.value?, &of.meaning));
     let all = measured.statistics.numbers().into_iter().chain(scan.functional()?);
     let numbers: Value = all.filter_map(reported).collect();
-    let (columns, pixel_size) = (scan.columns(), scan.pixel_size());
-    let shape = Shape { columns, pixel_size, periodic: scan.is_periodic() };
-    Ok(json!({ "numbers": numbers, "shape": shape }))
-}
-
-/// The pictures of heights \[m\] and of their material ratio curve, and a caption: as the scan of a
-/// scene has them, without reading its file again.
-pub(crate) fn report(heights: Vec<f64>, shape: Shape) -> Result<Value, Refusal> {
-    let Shape { columns, pixel_size, periodic } = shape;
-    let scan = Topography::new(heights, columns, pixel_size)?.with_periodic(periodic);
-    let glance = Glance::new(&scan, Level::usual(periodic), [None; 2], &scan)?;
+    let glance = Glance::new(scan, Level::usual(scan.is_periodic()), [None; 2], scan)?;
     let (ratio, profile) = (scan.material_ratio()?, scan.is_profile());
-    let curve = draw_material_ratio(&ratio, profile, "material ratio curve")?;
     Ok(json!({
-        "svg": draw_surface(&scan, &glance, None)?,
-        "curve": curve,
-        "caption": caption_of_surface(&scan, &glance),
+        "numbers": numbers,
+        "svg": draw_surface(scan, &glance, None)?,
+        "curve": draw_material_ratio(&ratio, profile, "material ratio curve")?,
+        "caption": caption_of_surface(scan, &glance),
     }))
 }
 
@@ -58,19 +39,17 @@ mod tests {
         let text = asperity_scene::template();
         let text = crate::surface_keys::with_scan(text, &keys.name()).unwrap();
         let file = parse_handed(&text, &files).unwrap();
-        let about = numbers(&file).unwrap();
-        let shape = serde_json::from_value(about["shape"].clone()).unwrap();
-        let found = report(file.scan().unwrap().heights().to_vec(), shape).unwrap();
+        let found = report(&file).unwrap();
         assert!(found["svg"].as_str().unwrap().starts_with("<svg"));
         assert!(found["curve"].as_str().unwrap().contains("line of the core"));
-        let names = about["numbers"].as_array().unwrap().iter().map(|number| &number["name"]);
+        let names = found["numbers"].as_array().unwrap().iter().map(|number| &number["name"]);
         assert!(names.clone().any(|name| name == "svk") && names.clone().any(|name| name == "vmc"));
         assert!(found["caption"][0].as_str().unwrap().contains("64 x 64 points"));
         assert_eq!(
-            (&about["numbers"][0]["name"], &about["numbers"][0]["shown"]),
+            (&found["numbers"][0]["name"], &found["numbers"][0]["shown"]),
             (&json!("sq"), &json!("500 nm"))
         );
         let plain = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
-        assert!(numbers(&plain.unwrap()).is_err());
+        assert!(report(&plain.unwrap()).is_err());
     }
 }

@@ -17,18 +17,14 @@ export function showReport(there) {
   noPicture($("scan-curve"));
 }
 
-// Reports on the scan of the scene after its values, in the worker of slow models: the file was
-// read by the other.
+// Reports on the scan of the scene after its values, in the worker of slow models, which reads
+// the file as well.
 export const reportScan = () => page.shown?.scan && !reported && work("slow", "scan", report);
 
 async function report() {
   const { text, shown } = page;
   if (!shown?.scan || reported) return;
-  const { numbers, shape } = await desks.quick.ask(text, "scan");
-  const heights = await desks.quick.send("heights");
-  if (page.shown !== shown) return;
-  const message = { heights, shape: JSON.stringify(shape) };
-  const { svg, curve, caption } = await desks.slow.send("report", message, undefined, [heights.buffer]);
+  const { numbers, svg, curve, caption } = await desks.slow.ask(text, "scan");
   if (page.shown !== shown) return;
   reported = about(shown);
   picture($("scan-picture"), svg, "map of the heights, their distribution and their spectra");
