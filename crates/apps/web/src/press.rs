@@ -174,7 +174,7 @@ fn contact(press: &Press<'_>, Pressed { solution, .. }: &Pressed) -> Result<Valu
         full: hardness.map_or("", |_| "plastic").into(),
         ..Map::of_pressures(pressures, heights.shape(), heights.pixel(), hardness)
     };
-    picture::map(map, heights, caption, pressures, (|pressure| shown(pressure, "Pa"), "no contact"))
+    picture::map(map, caption)
 }
 
 /// The map of the flow along x, with a line about it.
@@ -185,9 +185,7 @@ fn flow(bem: &Bem, elements: &BoundaryElements, solution: &Solution) -> Result<V
         false => "no open path from left to right",
     };
     let caption = format!("{}: {what}", shown(solution.mean_pressure, "Pa"));
-    let map = Map::of_flow(flux.clone(), heights.shape(), heights.pixel());
-    let said = |flux| format!("{} times the mean flow", short(flux));
-    picture::map(map, heights, caption, &flux, (said, "no flow"))
+    picture::map(Map::of_flow(flux, heights.shape(), heights.pixel()), caption)
 }
 
 #[cfg(test)]
