@@ -31,7 +31,7 @@ mod _asperity {
         ask::advice::{best, check, profile, pull_off},
         ask::contact::Contact,
         ask::values::{answer, separations, shares},
-        bem::contacts::{bem, sealing_pressure, truth},
+        bem::contacts::{bem, sealing_pressure},
         convert::numbers::quantity,
         convert::{ContactWarning, NotConverged, UnsupportedFormat},
         fit::fit,

@@ -100,60 +100,6 @@ def test_scene_and_scan_are_the_same_contact(scene: asperity.Scene) -> None:
         asperity.bem(scene.replace(asperity_height_std=1e-6), load=50.0)
 
 
-def test_models_are_compared_with_it(scene: asperity.Scene) -> None:
-    rows = asperity.truth(scene, pressure=[2e7, 2e8], models=["gw", "ke"])
-    assert rows["model"] == ["bem", "gw", "ke"] * 2
-    found = asperity.bem(scene, pressure=[2e7, 2e8])
-    of_bem, of_ke = rows.of("bem"), rows.of("ke")
-    np.testing.assert_allclose(of_bem["area_fraction"], found["area_fraction"], rtol=1e-9)
-    assert (of_bem["area_deviation"] == 0).all()
-    area = asperity.model("ke").solve(scene, load=[20.0, 200.0], quantities="area_fraction")
-    np.testing.assert_allclose(of_ke["area_fraction"], area.area_fraction)
-    off = area.area_fraction / found["area_fraction"] - 1
-    np.testing.assert_allclose(of_ke["area_deviation"], off)
-    alone = asperity.truth(scene, load=20.0, models=["ke"])
-    head, *lines = str(alone).splitlines()
-    assert head.split()[:3] == ["load_N", "pressure_Pa", "model"] and lines[0].split()[0] == "20"
-    assert alone["area_fraction"][1] == of_ke["area_fraction"][0]
-    everything = set(asperity.truth(scene, pressure=2e7)["model"])
-    assert everything > {"bem", "ke-random", "persson-fudge", *scene.models()}
-
-
-class Own:
-    """Greenwood & Williamson."""
-
-    force_monotone = True
-
-    def __init__(self, asperity: asperity.Asperity) -> None:
-        self.asperity = asperity
-
-    def force(self, w: Floats) -> Floats:
-        modulus, radius = self.asperity.equivalent_modulus, self.asperity.radius
-        return np.asarray(4 / 3 * modulus * radius**0.5 * w**1.5)
-
-    def area(self, w: Floats) -> Floats:
-        return np.pi * self.asperity.radius * w
-
-
-class Broken(Own):
-    def area(self, w: Floats) -> Floats:
-        raise ZeroDivisionError("no area")
-
-
-def test_a_model_of_ones_own_is_compared_under_its_name(scene: asperity.Scene) -> None:
-    own, quantities = asperity.model(Own), ["stiffness", "unloading-stiffness"]
-    rows = asperity.truth(scene, pressure=2e8, models=["gw", own], quantities=quantities)
-    gw, mine = rows.of("gw"), rows.of("Own")
-    numbers = [name for name in mine if name not in ("model", "boundary")]
-    assert len(numbers) == 10 and "unloading_stiffness_deviation" in numbers
-    for name in numbers:
-        assert mine[name] == pytest.approx(gw[name], rel=1e-9), name
-    # As in a fit, the exception of the user's own code.
-    broken = asperity.model(Broken)
-    with pytest.raises(ZeroDivisionError, match="no area"):
-        asperity.truth(scene, pressure=2e8, models=broken)
-
-
 def test_it_is_a_model_by_name(scene: asperity.Scene) -> None:
     bem = asperity.model("bem")
     assert (bem.id, bem.name) == ("bem", "BEM")
@@ -178,11 +124,6 @@ def test_solved_contacts_are_kept_beside_blank_ones(scene: asperity.Scene) -> No
     assert kept["patches"][2] == alone["patches"][1]
     assert kept.pressures is not None and np.isnan(kept.pressures[0]).all()
     assert (kept.pressures[2] > 0).mean() == kept["area_fraction_pixels"][2]
-    with pytest.warns(asperity.ContactWarning, match="^no-value: "):
-        rows = asperity.truth(scene, pressure=pressures, models=["ke"], refine=True)
-    assert rows["model"] == ["bem", "bem-half-grid", "ke"] * 2 and rows["pressure_Pa"][0] == 1e7
-    with pytest.raises(ValueError, match="^truth: "):
-        asperity.truth(scene, pressure=8e9, models=["ke"])
 
 
 def test_unresolved_contacts_and_open_edges_are_warned_of(scene: asperity.Scene) -> None:

@@ -38,7 +38,6 @@ from asperity._asperity import template as template
 from asperity._bem import BemContacts as BemContacts
 from asperity._bem import bem as bem
 from asperity._bem import sealing_pressure as sealing_pressure
-from asperity._bem import truth as truth
 from asperity._curve import Curve as Curve
 from asperity._fit import Estimate as Estimate
 from asperity._fit import Fit as Fit

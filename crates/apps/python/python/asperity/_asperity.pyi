@@ -52,7 +52,6 @@ __all__ = [
     "separations",
     "shares",
     "template",
-    "truth",
     "checked",
     "derived",
     "interface_of",
@@ -391,14 +390,6 @@ def bem(
     quantities: str | Iterable[str] | None,
 ) -> tuple[_Table, list[_Floats] | None, list[int]]: ...
 def sealing_pressure(pressed: _Pressed, samples: int) -> _Table: ...
-def truth(
-    scene: Scene,
-    pressures: Sequence[_Float],
-    pressing: _Pressing,
-    engines: Sequence[Engine] | None,
-    quantities: str | Iterable[str],
-    refine: bool,
-) -> _Table: ...
 def fit(
     scene: Scene,
     data: str | Sequence[tuple[str, Sequence[float | None]]],

@@ -1,4 +1,4 @@
-"""Boundary elements on scans: contacts, leaks, and models compared with them."""
+"""Boundary elements on scans: contacts and leaks."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ import numpy.typing as npt
 from asperity import _asperity
 from asperity._arguments import Floats, floats, place
 from asperity._asperity import Scene, Topography
-from asperity._model import Model, as_models
 from asperity._records import Interface
 from asperity._table import Table
 
@@ -140,35 +139,3 @@ def sealing_pressure(
         raise ValueError(f"samples is {samples}: 2 to 1000 were required")
     scan = surface, interface, level, (boundary, elastic)
     return Table(*_asperity.sealing_pressure(scan, samples))
-
-
-def truth(
-    scene: Scene,
-    *,
-    pressure: npt.ArrayLike | None = None,
-    load: npt.ArrayLike | None = None,
-    elastic: bool = False,
-    boundary: Boundary | None = None,
-    models: str | Model | Sequence[str | Model] | None = None,
-    quantities: str | Sequence[str] = "stiffness",
-    refine: bool = False,
-) -> Table:
-    """Models compared with boundary elements on a scan.
-
-    The file of the scene names a scan ([surface] file = ...). Every pressure has a row for "bem" and
-    one for every model: all that the scene allows, or the given ones, also of your own. Area and mean
-    gap are compared, and ``quantities``: "stiffness", that of first loading, and
-    "unloading-stiffness", as which conductances deviate. Deviations are relative to bem; that of the
-    mean gap is over the rms height of the scan. A quantity that a model lacks is NaN, and so are all
-    numbers of a model that needs more than the nominal area, or a pressure above 1.5 times the
-    hardness; a finding has the reason. The results say whether the table behind ``Scene.answer``
-    agrees. With ``refine`` the rows "bem-half-grid" show the effect of the grid. A pressure without
-    a solution has no rows and a warning.
-    """
-    name, value = place(load=load, pressure=pressure)
-    pressures = floats(value, name).ravel()
-    if name == "load":
-        pressures = pressures / scene.nominal_area
-    engines = None if models is None else as_models(models)
-    how = boundary, elastic
-    return Table(*_asperity.truth(scene, pressures.tolist(), how, engines, quantities, refine))

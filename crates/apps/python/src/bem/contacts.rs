@@ -1,14 +1,13 @@
-//! Contacts of a scan under loads, and models compared with them.
+//! Contacts of a scan under loads, and its sealing pressures.
 
-use asperity_answer::{Press, Sheet, compared, sealing, truth_of};
+use asperity_answer::{Press, Sheet, sealing};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use super::scan::{Arguments, Pressed, Pressing, load_cases, options};
+use super::scan::{Arguments, Pressed, load_cases};
 use crate::ask::long::run_interruptible;
-use crate::convert::{Quantities, value_error};
-use crate::model::engine::{Engines, answered, models_among, without};
-use crate::scene::SceneFile;
+use crate::convert::Quantities;
+use crate::model::engine::without;
 use crate::tables::{Table, table, warn_of};
 
 /// The package's `Table`; pressures and gaps of all pixels, if kept; rows, columns of the scan.
@@ -58,30 +57,5 @@ pub(crate) fn sealing_pressure<'py>(
         run_interruptible(py, |stop| sealing((&file, &bem), samples, &mut sheet, stop).map(drop))?;
     found.map_err(|error| without(&sheet, error))?;
     warn_of(py, &file, &sheet)?;
-    table(py, &sheet)
-}
-
-/// Models of a scene, or these, compared with boundary elements on its scan.
-#[pyfunction]
-pub(crate) fn truth<'py>(
-    py: Python<'py>,
-    scene: &SceneFile,
-    pressures: Vec<f64>,
-    pressing: Pressing,
-    engines: Engines,
-    quantities: Quantities,
-    refine: bool,
-) -> PyResult<Table<'py>> {
-    let file = &*scene.0;
-    let Pressed { bem, .. } = Pressed::of_scene(py, file.clone(), options(pressing)?)?;
-    let quantities = compared(&quantities.0).map_err(value_error)?;
-    let mut sheet = Sheet::default();
-    let models = models_among(file, &engines, &[], &mut sheet)?;
-    let of = (file, "truth", &bem);
-    let found = run_interruptible(py, |stop| {
-        truth_of(of, &models, &pressures, &quantities, refine, &mut sheet, stop)
-    })?;
-    answered(found, &engines, &sheet)?;
-    warn_of(py, file, &sheet)?;
     table(py, &sheet)
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use asperity::bem::Bem;
 use asperity::{Citation, Code, ContactError, Model, Quantity, testkit};
-use asperity_answer::{AnswerError, Sheet, models};
+use asperity_answer::{AnswerError, Sheet};
 use asperity_scene::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -226,41 +226,6 @@ impl Engine {
             Kind::Named { .. } => None,
         }
     }
-}
-
-/// Models that are compared.
-pub(crate) type Engines = Option<Vec<Py<Engine>>>;
-
-/// These models on a scene or, without any, all that can be compared with boundary elements and
-/// have the quantities; the sheet names the others.
-pub(crate) fn models_among(
-    file: &SceneFile,
-    engines: &Engines,
-    quantities: &[Quantity],
-    sheet: &mut Sheet,
-) -> PyResult<Vec<Model>> {
-    let Some(engines) = engines else {
-        let all = models(file, &[], SceneFile::models_beside_bem, quantities, sheet);
-        return all.map_err(value_error);
-    };
-    let model = |engine: &Py<Engine>| {
-        drop(engine.get().raised().and_then(Raised::take));
-        engine.get().on(file)
-    };
-    engines.iter().map(model).collect()
-}
-
-/// The answer in a sheet, or the exception of the user's own code where models
-/// [among](models_among) these lack a value.
-pub(crate) fn answered(
-    found: Result<(), AnswerError>,
-    engines: &Engines,
-    sheet: &Sheet,
-) -> PyResult<()> {
-    let lacks = found.is_err() || sheet.findings.iter().any(|one| one.code == Code::NoValue);
-    let mut engines = engines.iter().flatten().filter(|_| lacks);
-    let raised = engines.find_map(|engine| engine.get().raised()?.take());
-    raised.map_or_else(|| found.map_err(|error| without(sheet, error)), Err)
 }
 
 /// The error of an answer, with the reasons why its sheet has no values.
