@@ -226,12 +226,7 @@ mod tests {
                 }
                 "solved" => {
                     let map = &event["maps"][0];
-                    let found = &map["readings"];
-                    let [x, values] = ["x", "values"].map(|key| found[key].as_array().unwrap());
-                    assert_eq!((x.len(), values.len()), (64, 64 * 64));
-                    let touching = values.iter().filter(|value| *value != "no contact").count();
-                    assert!(touching > 0 && touching < values.len(), "{touching}");
-                    assert_eq!(x[0], "500 nm");
+                    assert!(map["svg"].as_str().unwrap().starts_with("<svg"));
                     assert!(map["caption"].as_str().unwrap().contains("patches"));
                     let [head, cells] = ["head", "cells"].map(|key| event[key].as_array().unwrap());
                     assert_eq!(head.len(), cells.len());
@@ -303,8 +298,7 @@ mod tests {
                 assert!(is_close, "{head}: {found} {wanted}");
             }
             assert_eq!((&map["event"], &map["pressure"]), (&json!("flow"), &solved["pressure"]));
-            let values = map["map"]["readings"]["values"].as_array().unwrap();
-            assert!(values.iter().any(|value| value == "no flow"));
+            assert!(map["map"]["caption"].as_str().unwrap().contains("flow"));
         }
     }
 }
