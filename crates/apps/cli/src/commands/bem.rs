@@ -1,16 +1,16 @@
 //! `asperity bem`: boundary elements on the scan of a scene, and models beside them.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Error, Result};
 use asperity::Quantity;
 use asperity::bem::{Bem, LoadCase, Solution};
-use asperity_answer::{AnswerError, Press, Sheet, compared, rounded, sealing, truth};
-use asperity_plot::{draw_map, map_png};
+use asperity_answer::{AnswerError, Press, Sheet, compared, sealing, truth};
+use asperity_plot::draw_map;
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
-use crate::input::args::{EndArgs, OutputArgs, PressArgs, file_ending, listed_model_id};
+use crate::input::args::{EndArgs, OutputArgs, PressArgs, file_ending, listed_model_id, svg_file};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load, pressure};
 use crate::input::usage_error;
@@ -60,13 +60,11 @@ pub struct BemCommand {
     /// Write the pressures in Pa as a NumPy matrix, stacked for several loads
     #[arg(long, value_name = "FILE.npy", value_parser = file_ending(&["npy"], NPY))]
     map: Option<PathBuf>,
-    /// Draw a map of the contact pressure at one load; png is the map without labels
-    #[arg(long, value_name = "FILE.svg|png")]
-    #[arg(value_parser = file_ending(&["svg", "png"], "maps are written as svg or png, and `inkscape map.svg -o map.pdf` makes pdf of one"))]
+    /// Draw a map of the contact pressure at one load
+    #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
     picture: Option<PathBuf>,
-    /// Draw the flow along x through the gap at one load; png is the map without labels
-    #[arg(long, value_name = "FILE.svg|png")]
-    #[arg(value_parser = file_ending(&["svg", "png"], "maps are written as svg or png, and `inkscape map.svg -o map.pdf` makes pdf of one"))]
+    /// Draw the flow along x through the gap at one load
+    #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
     flow_picture: Option<PathBuf>,
     #[command(flatten)]
     output: OutputArgs,
@@ -186,23 +184,13 @@ impl BemCommand {
             let hardness = bem.hardness(interface)?;
             let leaks = self.places.sealing_pressure || self.quantities.contains(&Quantity::Leak);
             let leaks = leaks.then_some(&elements);
-            draw(path, &contact_map::picture(bem, solution, hardness, leaks, &scene.name)?)?;
+            let map = contact_map::picture(bem, solution, hardness, leaks, &scene.name)?;
+            output::write_text(Some(path), &draw_map(&map)?)?;
         }
         if let Some(path) = &self.flow_picture {
-            draw(path, &contact_map::flow(bem, &elements, solution, &scene.name)?)?;
+            let map = contact_map::flow(bem, &elements, solution, &scene.name)?;
+            output::write_text(Some(path), &draw_map(&map)?)?;
         }
         Ok(())
     }
-}
-
-/// Writes a map as svg or, without labels, as png.
-pub(super) fn draw(path: &Path, map: &asperity_plot::Map) -> Result<()> {
-    if !path.extension().is_some_and(|end| end.eq_ignore_ascii_case("png")) {
-        return output::write_text(Some(path), &draw_map(map)?);
-    }
-    let png = map_png(map)?;
-    output::write(Some(path), |out| out.write_all(&png))?;
-    let (path, label, top) = (path.display(), &map.label, rounded(map.top));
-    output::print_results(&[format!("{path}: {label} from yellow to black at {top}")]);
-    Ok(())
 }

@@ -7,10 +7,10 @@ use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
 use asperity::{At, Described, Model, SeparationUnit, Tolerance};
 use asperity_answer::{Amplitude, Sheet, Slip, history, of_joint, unloading, unloading_scan};
+use asperity_plot::draw_map;
 use clap::Args;
 use clap::error::ErrorKind;
 
-use super::bem;
 use crate::input::args::{DrawnArgs, EndArgs, file_ending, loads, model_id};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
@@ -18,7 +18,7 @@ use crate::input::numbers::{count_up_to, friction, length, load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::terminal;
 use crate::output::plot::Plot;
-use crate::output::{contact_map, once};
+use crate::output::{self, contact_map, once};
 use crate::scene::LoadedScene;
 
 /// Shifts of a loop by default, and on a scan, where each is solved.
@@ -59,8 +59,8 @@ pub struct Joint {
     points: Option<usize>,
     /// Write which pixels stick (2) and slip (1) at the amplitude of one cycle, by bem; npy is a
     /// NumPy matrix
-    #[arg(long, value_name = "FILE.npy|svg|png", requires = "amplitude")]
-    #[arg(value_parser = file_ending(&["npy", "svg", "png"], "maps are written as npy, svg or png, and `inkscape map.svg -o map.pdf` makes pdf of one"))]
+    #[arg(long, value_name = "FILE.npy|svg", requires = "amplitude")]
+    #[arg(value_parser = file_ending(&["npy", "svg"], "maps are written as npy or svg"))]
     stick_map: Option<PathBuf>,
     #[command(flatten)]
     output: DrawnArgs,
@@ -183,7 +183,8 @@ impl Joint {
             if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy")) {
                 contact_map::write(path, &[&states], scan.map().shape())?;
             } else {
-                bem::draw(path, &contact_map::stick_picture(&scan, &states, &scene.name))?;
+                let map = contact_map::stick_picture(&scan, &states, &scene.name);
+                output::write_text(Some(path), &draw_map(&map)?)?;
             }
         }
         drop(watch);
