@@ -191,7 +191,7 @@ impl Engine {
         for (k, file) in files.iter().enumerate() {
             if file.spec.options != first {
                 return Err(value_error(format!(
-                    "scene {k} has other options than scene 0: give the options to asperity.model"
+                    "scene {k} has other options than scene 0: give all the same, or the options to asperity.model"
                 )));
             }
         }
