@@ -13,8 +13,8 @@ use crate::message::{Message, Solved};
 use crate::refusal::Refusal;
 use crate::span::{Load, LoadKeys, Span};
 use crate::{
-    advice, answer, fields, labels, link, picture, press, read_scene, scan_report,
-    surface_keys, table,
+    advice, answer, fields, labels, link, picture, press, read_scene, scan_report, surface_keys,
+    table,
 };
 
 /// A scene with the files that it names, and its compiled models.

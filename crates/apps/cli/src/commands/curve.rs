@@ -6,8 +6,8 @@ use anyhow::{Context, Result};
 use asperity::bem::Bem;
 use asperity::{At, ContactModel, Quantity, Request, SeparationUnit, linspace};
 use asperity_answer::{
-    AnswerError, Beside, Inquiry, Sheet, at_values, best_and_nearest, models, one_model,
-    patch, solve, with_ranges,
+    AnswerError, Beside, Inquiry, Sheet, at_values, best_and_nearest, models, one_model, patch,
+    solve, with_ranges,
 };
 use asperity_scene::{SceneFile, column_of};
 use clap::Args;

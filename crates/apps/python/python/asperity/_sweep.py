@@ -121,7 +121,9 @@ def sweep(
     if not isinstance(model, str | Model):
         dims, shape = ("model", *dims), (len(engines), *shape)
         coordinates["model"] = np.array([engine.id for engine in engines], dtype=object)
-    about = {q.replace("-", "_"): {"units": unit_in(head, q)} for q, head in heads.items()}
+    about: dict[str, dict[str, Any]] = {
+        q.replace("-", "_"): {"units": unit_in(head, q)} for q, head in heads.items()
+    }
     about["status"] = {"flag_values": list(STATES.values()), "flag_meanings": " ".join(STATES)}
     values = {
         name: (dims, np.stack([of[name] for of in found]).reshape(shape), attributes)
