@@ -308,11 +308,11 @@ impl Row {
             _ => false,
         };
         let mark = found.iter().find(is_impossible).filter(|_| !file.findings().are_implausible());
-        row.mark = mark.map(|found| message(found));
+        row.mark = mark.map(message);
         let is_outside = |one: &&Finding| {
             one.code.is_of_model() && one.code != Code::Yields && one.severity != Severity::Note
         };
-        row.outside = found.iter().find(is_outside).map(|one| message(one));
+        row.outside = found.iter().find(is_outside).map(message);
         found.extend(warnings.into_iter().filter(|one| one.severity < Severity::Note));
         row.findings = found;
         let (model, load) = (own.model(), at.load(&file.scene).unwrap_or_default());
