@@ -48,10 +48,10 @@ impl Scales {
             let mut keys = keys.clone();
             keys.smooth = Some(cutoff);
             let smooth = keys.prepare(scan.clone());
-            let found = smooth.and_then(|smooth| Ok(smooth.statistics(keys.estimator)?));
+            let found = smooth.and_then(|smooth| smooth.statistics(keys.estimator));
             let number = |(_, number): (&str, Number)| number(found.as_ref().ok()?);
             let numbers = COLUMNS.map(number);
-            if let Err(reason) = found.and_then(|statistics| Ok(statistics.surface()?)) {
+            if let Err(reason) = found.and_then(|statistics| statistics.surface()) {
                 let text = format!("{CUTOFF} {cutoff:e}: {reason}");
                 blanks.count("value", std::mem::discriminant(&reason), text);
             }

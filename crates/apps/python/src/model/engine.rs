@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use asperity::bem::Bem;
-use asperity::{Citation, Code, ContactError, Model, Quantity, testkit};
+use asperity::{Citation, ContactError, Model, Quantity, testkit};
 use asperity_answer::{AnswerError, Sheet};
 use asperity_scene::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
