@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Context, Error, Result};
 use asperity::bem::{Bem, BemOptions, Continuation};
-use asperity::{Code, Described, Finding, Findings, Model, Severity, Tolerance};
+use asperity::{Described, Findings, Model, Severity, Tolerance};
 use asperity_answer::{
     AnswerError, Sheet, Subject, one_model, one_or_usual, scene_findings, use_asperities,
 };
@@ -68,29 +68,9 @@ impl LoadedScene {
         Ok(self)
     }
 
-    /// Reports the findings about the scene; those about its scan, which `surface` and `check`
-    /// print, in one line.
+    /// Reports the findings about the scene.
     pub fn report_scene(&self, asperities: bool) {
-        let of_scan = |found: &Finding| {
-            let measured = self.file.measured.as_ref();
-            measured.is_some_and(|of| of.statistics.warnings.iter().any(|w| w.code == found.code))
-        };
-        let found = scene_findings(&self.file, asperities);
-        let (scan, mut rest): (Vec<_>, Vec<_>) = found.into_iter().partition(of_scan);
-        match &scan[..] {
-            [] | [_] => rest.splice(0..0, scan).for_each(drop),
-            several => {
-                let codes: Vec<&str> = several.iter().map(|found| found.code.name()).collect();
-                let count = codes.len();
-                let one = Finding::warning(Code::ScanWarnings, "warnings", count as f64)
-                    .usual([0.0, 0.0])
-                    .from_origin(several[0].origin.clone().unwrap_or_default())
-                    .fact(format!("the scan has {count} warnings ({})", codes.join(", ")))
-                    .advice(format!("`asperity check {}` prints them", self.name));
-                rest.insert(0, one);
-            }
-        }
-        show(&self.file.accepted(rest.into_iter().collect()));
+        show(&self.file.accepted(scene_findings(&self.file, asperities)));
     }
 
     /// A model on this scene, with a tolerance of its values.
