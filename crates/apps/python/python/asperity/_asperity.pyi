@@ -119,7 +119,6 @@ class Scene:
     def vary(self, **columns: npt.ArrayLike) -> Scenes: ...
     def at(self, end: str) -> Scene: ...
     asperity: Final[Asperity]
-    asperities: Final[float]
     plasticity_index: Final[float]
     def answer(
         self,
@@ -221,7 +220,6 @@ class Engine:
     def __new__(cls, model: str | Callable[..., Any], options: Mapping[str, Any]) -> Self: ...
     id: Final[str]
     name: Final[str]
-    variant: Final[str]
     _citation: Final[tuple[str, int, str, str]]
     def bibtex(self) -> str: ...
     def _law(

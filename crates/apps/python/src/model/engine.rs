@@ -88,16 +88,6 @@ impl Engine {
         Ok((authors, year, title, provenance.to_string()))
     }
 
-    /// How a variant differs from the model before the dash of its id; empty for others.
-    ///
-    /// >>> import asperity
-    /// >>> asperity.model("at-additive").variant
-    /// 'every contact counts once in the sums'
-    #[getter]
-    fn variant(&self) -> PyResult<String> {
-        Ok(self.alone()?.map_or(String::new(), |model| model.variant().join("; ")))
-    }
-
     /// The law of one asperity of a scene at interferences [m], in SI units.
     #[pyo3(name = "_law")]
     fn law<'py>(
