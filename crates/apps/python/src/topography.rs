@@ -145,8 +145,9 @@ impl Topography {
         self.changed(py, asperity_topography::Topography::fill)
     }
 
-    /// The same surface with its outliers, points outside their neighbours (5 x 5, in a profile 17)
-    /// by twice the range of these, replaced by harmonic heights. Call it before ``filter`` and ``smooth``, which spread outliers.
+    /// The same surface with harmonic heights in the place of outliers: points outside their
+    /// neighbours (5 x 5, in a profile 17) by twice the range of these. Call it before ``filter``
+    /// and ``smooth``, which spread outliers.
     fn despiked(&self, py: Python<'_>) -> PyResult<Self> {
         self.changed(py, asperity_topography::Topography::despiked)
     }

@@ -145,8 +145,8 @@ fn sources(word: &str) -> Result<Sheet> {
     Ok(sheet)
 }
 
-/// The models of this id and its variants; without any, those with all words in their name, authors,
-/// year or variant.
+/// The models of this id and its variants; without any, those with all words in their name,
+/// authors, year or variant.
 fn like(word: &str) -> Result<Vec<Listed>> {
     let wanted = word.trim().to_lowercase();
     let of_id = |model: &Listed| {
