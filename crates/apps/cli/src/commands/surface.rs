@@ -66,7 +66,7 @@ pub struct Surface {
     /// Treat the surface as periodic beyond its edges
     #[arg(long)]
     periodic: bool,
-    /// Largest accepted share of missing points, for example 0.2 or 20%
+    /// Largest accepted share of missing points, for example 0.2
     #[arg(long, value_name = "SHARE", value_parser = share, default_value = "0.1")]
     max_missing: f64,
     /// Fill missing points, up to 5 % of all, from their surroundings (harmonic: each point is the

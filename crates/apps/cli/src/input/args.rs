@@ -14,7 +14,7 @@ use clap::{ArgAction, Args};
 
 use crate::input::distances::{Distances, metre, warn_unit};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{load_or_tension, number, pressure_or_tension, relative_error};
+use crate::input::numbers::{load_or_tension, number, pressure_or_tension};
 use crate::input::usage_error;
 use crate::output::table::{self, Format};
 use crate::output::{self, once};
@@ -320,6 +320,5 @@ pub fn patch_file() -> impl TypedValueParser<Value = PathBuf> {
 
 /// A relative tolerance.
 fn tolerance(text: &str) -> Result<Tolerance, String> {
-    let tolerance = if text.contains('%') { relative_error(text)? } else { number(text)? };
-    Tolerance::new(tolerance).map_err(|e| e.to_string())
+    Tolerance::new(number(text)?).map_err(|e| e.to_string())
 }
