@@ -37,7 +37,6 @@ export function change(make, kind) {
     do {
       text = state.text;
       made = await make(text);
-      if (state.example && made !== text) made = await tools("changed", { text: made });
     } while (state.text !== text);
     setScene(made, kind);
   });
