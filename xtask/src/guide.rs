@@ -8,7 +8,6 @@ use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
 use asperity::{Code, Described, Model, Quantity};
-use asperity_web::chapter_of;
 
 use crate::command::{output, run};
 use crate::figures::{FIGURES, captions};
@@ -168,6 +167,18 @@ fn target(link: &str, of: &str, places: &HashMap<&str, &str>, docs: &Path) -> Re
     let to = format!("files/{name}{}", if is_shown { "" } else { ".txt" });
     copy(&root().join(&path), &docs.join(&to))?;
     Ok(to)
+}
+
+/// The chapter about a model, with its equations.
+fn chapter_of(id: &str) -> &str {
+    match id.split('-').collect::<Vec<_>>()[..] {
+        [.., arrangement @ ("random" | "pairs")] => arrangement,
+        ["dmt" | "jkr", ..] => "adhesion",
+        ["cmy" | "mikic", ..] => "conductance",
+        ["best", ..] => "which-model",
+        [first, ..] => first,
+        [] => "models",
+    }
 }
 
 /// A table of all models but those on random surfaces and between two rough ones.

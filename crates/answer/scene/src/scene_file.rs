@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use asperity::{
     Code, ContactError, Datum, Findings, HeightDistribution, Scene, Separation, SeparationUnit,
-    SolvedContact, Surface, TabulatedHeights,
+    SolvedContact, TabulatedHeights,
 };
 use asperity_topography::Topography;
 
@@ -183,15 +183,5 @@ impl SceneFile {
     pub fn pressing_scan(mut self, scan: Topography) -> Self {
         self.spec.pressed = Some(Arc::new(Scan::new(scan, None)));
         self
-    }
-
-    /// The scene's bodies and options with another scan and its asperities, under Gaussian heights.
-    #[must_use]
-    pub fn with_scan(&self, surface: Surface, scan: Topography) -> Self {
-        let mut other =
-            Self::from(Scene::new(self.scene.interface, surface, self.scene.nominal_area));
-        other.spec.options = self.spec.options;
-        other.spec.separation_from = self.spec.separation_from;
-        other.pressing_scan(scan)
     }
 }

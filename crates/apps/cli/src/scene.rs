@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Context, Error, Result};
 use asperity::bem::{Bem, BemOptions, Continuation};
-use asperity::{Code, Described, Finding, Findings, Model, Severity, Tolerance};
+use asperity::{Described, Findings, Model, Severity, Tolerance};
 use asperity_answer::{
     AnswerError, Sheet, Subject, one_model, one_or_usual, scene_findings, use_asperities,
 };
@@ -13,10 +13,6 @@ use asperity_scene::SceneFile;
 use crate::input::args::EndArgs;
 use crate::input::destinations;
 use crate::output::{self, print_results, show};
-
-fn is_periodic(given: BemOptions) -> bool {
-    given.boundary == Some(Continuation::Periodic)
-}
 
 /// A scene file and its name.
 pub struct LoadedScene {
@@ -33,25 +29,20 @@ impl LoadedScene {
     /// Reads the file for these models, and reports what is unusual; on its asperities only if one
     /// of the models uses asperities; otherwise a scan needs none.
     pub fn load(path: &Path, ids: &[String]) -> Result<Self> {
-        Self::load_pressing(path, ids, BemOptions::default())
-    }
-
-    /// The same with these options of boundary elements before the scene's.
-    pub fn load_pressing(path: &Path, ids: &[String], given: BemOptions) -> Result<Self> {
-        let asperities = use_asperities(ids);
-        if !asperities || is_periodic(given) {
-            return Self::load_scan(path, given, asperities);
+        if !use_asperities(ids) {
+            return Self::load_scan(path, BemOptions::default(), false);
         }
         let scene = Self::open(path)?;
         scene.report_scene(true);
-        Ok(Self { file: scene.file.pressing(given), ..scene })
+        Ok(scene)
     }
 
     /// Reads the file of a scan, which may have no asperities and, with a periodic boundary, is
     /// declared periodic whatever the file says; reports what is unusual, on its asperities if they
     /// are used.
     pub fn load_scan(path: &Path, given: BemOptions, asperities: bool) -> Result<Self> {
-        let file = asperity_scene::load_scan(path, is_periodic(given))?.pressing(given);
+        let is_periodic = given.boundary == Some(Continuation::Periodic);
+        let file = asperity_scene::load_scan(path, is_periodic)?.pressing(given);
         let scene = Self { file, name: path.display().to_string() }.kept()?;
         scene.report_scene(asperities);
         Ok(scene)
@@ -77,29 +68,9 @@ impl LoadedScene {
         Ok(self)
     }
 
-    /// Reports the findings about the scene; those about its scan, which `surface` and `check`
-    /// print, in one line.
+    /// Reports the findings about the scene.
     pub fn report_scene(&self, asperities: bool) {
-        let of_scan = |found: &Finding| {
-            let measured = self.file.measured.as_ref();
-            measured.is_some_and(|of| of.statistics.warnings.iter().any(|w| w.code == found.code))
-        };
-        let found = scene_findings(&self.file, asperities);
-        let (scan, mut rest): (Vec<_>, Vec<_>) = found.into_iter().partition(of_scan);
-        match &scan[..] {
-            [] | [_] => rest.splice(0..0, scan).for_each(drop),
-            several => {
-                let codes: Vec<&str> = several.iter().map(|found| found.code.name()).collect();
-                let count = codes.len();
-                let one = Finding::warning(Code::ScanWarnings, "warnings", count as f64)
-                    .usual([0.0, 0.0])
-                    .from_origin(several[0].origin.clone().unwrap_or_default())
-                    .fact(format!("the scan has {count} warnings ({})", codes.join(", ")))
-                    .advice(format!("`asperity check {}` prints them", self.name));
-                rest.insert(0, one);
-            }
-        }
-        show(&self.file.accepted(rest.into_iter().collect()));
+        show(&self.file.accepted(scene_findings(&self.file, asperities)));
     }
 
     /// A model on this scene, with a tolerance of its values.

@@ -28,11 +28,10 @@ mod topography;
 mod _asperity {
     #[pymodule_export]
     use crate::{
-        ask::advice::{best, check, plan, profile, pull_off},
+        ask::advice::{best, check, profile, pull_off},
         ask::contact::Contact,
         ask::values::{answer, separations, shares},
-        bem::contacts::{bem, bem_unloading, sealing_pressure, truth},
-        bem::slip::bem_slip,
+        bem::contacts::{bem, sealing_pressure},
         convert::numbers::quantity,
         convert::{ContactWarning, NotConverged, UnsupportedFormat},
         fit::fit,

@@ -2,13 +2,11 @@
 
 use std::path::PathBuf;
 
-use asperity_plot::draw_surface;
 use asperity_topography::{
     Alignment, Estimator, Glance, Level, ReadOptions, Statistics, TopographyError,
 };
 use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
 
 use crate::convert::{Object, object, value_error, warn};
 use crate::reading::{Spacing, found, unit_of, unreadable};
@@ -147,30 +145,11 @@ impl Topography {
         self.changed(py, asperity_topography::Topography::fill)
     }
 
-    /// The same surface with its outliers replaced by harmonic heights; see ``outliers``. Call it
-    /// before ``filter`` and ``smooth``, which spread outliers.
+    /// The same surface with harmonic heights in the place of outliers: points outside their
+    /// neighbours (5 x 5, in a profile 17) by twice the range of these. Call it before ``filter``
+    /// and ``smooth``, which spread outliers.
     fn despiked(&self, py: Python<'_>) -> PyResult<Self> {
         self.changed(py, asperity_topography::Topography::despiked)
-    }
-
-    /// The number of outliers that ``despiked`` has replaced.
-    #[getter]
-    fn despiked_points(&self) -> usize {
-        self.0.despiked_points()
-    }
-
-    /// Outliers: points outside their neighbours (5 x 5, in a profile 17) by twice the range of
-    /// these. A dict: ``count``, ``largest`` [m] (negative below), ``m4_share`` and
-    /// ``kurtosis_share`` (their shares of m4 and of the fourth moment of the heights), and
-    /// ``points`` (row and column of each).
-    fn outliers<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        let found = py.detach(|| self.0.outliers());
-        let columns = self.0.columns();
-        let points = found.points.iter().map(|at| (at / columns, at % columns));
-        let points: Vec<(usize, usize)> = points.collect();
-        let numbers = object(py, &found)?;
-        numbers.set_item("points", points)?;
-        Ok(numbers)
     }
 
     /// The roughness at wavelengths below `cutoff` [m] (Gaussian filter, ISO 16610).
@@ -187,17 +166,6 @@ impl Topography {
     #[getter]
     fn periodic(&self) -> bool {
         self.0.is_periodic()
-    }
-
-    /// The density of the summit heights: heights [m] from their mean and densities [1/m], a table
-    /// for the ``heights`` of a ``Scene``.
-    fn summit_density<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(Bound<'py, PyTuple>, Bound<'py, PyTuple>)> {
-        let density = || self.0.summits()?.height_density();
-        let found = py.detach(density).map_err(value_error)?;
-        Ok((PyTuple::new(py, found.heights_m)?, PyTuple::new(py, found.density_per_m)?))
     }
 
     /// The equivalent rough surface of this surface against another, without levelling: their
@@ -269,22 +237,6 @@ impl Topography {
             numbers.set_item(found.name, found.value)?;
         }
         Ok(numbers)
-    }
-
-    /// A picture of the surface, an ``asperity.Picture``, shown by notebooks: its map, the density
-    /// of its heights, spectra, slope and curvature against scale; see ``report``.
-    #[pyo3(signature = (level=None, smooth=None, cutoff=None, title=""))]
-    fn plot<'py>(
-        &self,
-        py: Python<'py>,
-        level: Option<&str>,
-        smooth: Option<f64>,
-        cutoff: Option<f64>,
-        title: &str,
-    ) -> PyResult<Object<'py>> {
-        let (surface, found) = self.glance(py, level, [smooth, cutoff])?;
-        let svg = py.detach(|| draw_surface(&surface, &found, Some(title))).map_err(value_error)?;
-        py.import("asperity._surfaces")?.getattr("Picture")?.call1((svg,))
     }
 
     /// Writes the surface to an ISO 25178-72 ``.x3p`` file.

@@ -23,9 +23,3 @@ def test_texts_are_saved(scene: asperity.Scene, tmp_path: Path) -> None:
     table = asperity.export(KE, scene, "csv", load=("10 N", "1 kN"), max_error=1e-3)
     table.save(tmp_path / "table.csv")
     assert (tmp_path / "table.csv").read_text() == table.text
-
-
-def test_options_of_other_models_may_differ_between_scenes(scene: asperity.Scene) -> None:
-    given = scene.interface, scene.surface, scene.nominal_area
-    force = KE.solve([scene, asperity.Scene(*given, options={"force": "vertical"})], 1.0).force
-    assert force[0] == force[1]

@@ -94,66 +94,10 @@ def test_scene_and_scan_are_the_same_contact(scene: asperity.Scene) -> None:
     two = asperity.bem(scan(), interface=STEEL, pressure=[5e7], maps=False)
     np.testing.assert_allclose(one["area_fraction"], two["area_fraction"], rtol=1e-12)
     assert one["load_N"] == pytest.approx(50.0)
-    back = asperity.bem(scene, gap=one["mean_gap_m"])
-    np.testing.assert_allclose(back["pressure_Pa"], 5e7, rtol=1e-4)
     # Other materials keep the scan, another surface does not.
     assert asperity.bem(scene.replace(hardness=1e9), load=50.0)["plastic_fraction"] > 0
     with pytest.raises(ValueError, match=r"surface\.file"):
         asperity.bem(scene.replace(asperity_height_std=1e-6), load=50.0)
-
-
-def test_models_are_compared_with_it(scene: asperity.Scene) -> None:
-    rows = asperity.truth(scene, pressure=[2e7, 2e8], models=["gw", "ke"])
-    assert rows["model"] == ["bem", "gw", "ke"] * 2
-    found = asperity.bem(scene, pressure=[2e7, 2e8])
-    of_bem, of_ke = rows.of("bem"), rows.of("ke")
-    np.testing.assert_allclose(of_bem["area_fraction"], found["area_fraction"], rtol=1e-9)
-    assert (of_bem["area_deviation"] == 0).all()
-    area = asperity.model("ke").solve(scene, load=[20.0, 200.0], quantities="area_fraction")
-    np.testing.assert_allclose(of_ke["area_fraction"], area.area_fraction)
-    off = area.area_fraction / found["area_fraction"] - 1
-    np.testing.assert_allclose(of_ke["area_deviation"], off)
-    alone = asperity.truth(scene, load=20.0, models=["ke"])
-    head, *lines = str(alone).splitlines()
-    assert head.split()[:3] == ["load_N", "pressure_Pa", "model"] and lines[0].split()[0] == "20"
-    assert alone["area_fraction"][1] == of_ke["area_fraction"][0]
-    everything = set(asperity.truth(scene, pressure=2e7)["model"])
-    assert everything > {"bem", "ke-random", "persson-fudge", *scene.models()}
-
-
-class Own:
-    """Greenwood & Williamson."""
-
-    force_monotone = True
-
-    def __init__(self, asperity: asperity.Asperity) -> None:
-        self.asperity = asperity
-
-    def force(self, w: Floats) -> Floats:
-        modulus, radius = self.asperity.equivalent_modulus, self.asperity.radius
-        return np.asarray(4 / 3 * modulus * radius**0.5 * w**1.5)
-
-    def area(self, w: Floats) -> Floats:
-        return np.pi * self.asperity.radius * w
-
-
-class Broken(Own):
-    def area(self, w: Floats) -> Floats:
-        raise ZeroDivisionError("no area")
-
-
-def test_a_model_of_ones_own_is_compared_under_its_name(scene: asperity.Scene) -> None:
-    own, quantities = asperity.model(Own), ["stiffness", "unloading-stiffness"]
-    rows = asperity.truth(scene, pressure=2e8, models=["gw", own], quantities=quantities)
-    gw, mine = rows.of("gw"), rows.of("Own")
-    numbers = [name for name in mine if name not in ("model", "boundary")]
-    assert len(numbers) == 10 and "unloading_stiffness_deviation" in numbers
-    for name in numbers:
-        assert mine[name] == pytest.approx(gw[name], rel=1e-9), name
-    # As in a fit, the exception of the user's own code.
-    broken = asperity.model(Broken)
-    with pytest.raises(ZeroDivisionError, match="no area"):
-        asperity.truth(scene, pressure=2e8, models=broken)
 
 
 def test_it_is_a_model_by_name(scene: asperity.Scene) -> None:
@@ -180,11 +124,6 @@ def test_solved_contacts_are_kept_beside_blank_ones(scene: asperity.Scene) -> No
     assert kept["patches"][2] == alone["patches"][1]
     assert kept.pressures is not None and np.isnan(kept.pressures[0]).all()
     assert (kept.pressures[2] > 0).mean() == kept["area_fraction_pixels"][2]
-    with pytest.warns(asperity.ContactWarning, match="^no-value: "):
-        rows = asperity.truth(scene, pressure=pressures, models=["ke"], refine=True)
-    assert rows["model"] == ["bem", "bem-half-grid", "ke"] * 2 and rows["pressure_Pa"][0] == 1e7
-    with pytest.raises(ValueError, match="^truth: "):
-        asperity.truth(scene, pressure=8e9, models=["ke"])
 
 
 def test_unresolved_contacts_and_open_edges_are_warned_of(scene: asperity.Scene) -> None:
@@ -220,42 +159,6 @@ def test_ctrl_c_stops_the_solver() -> None:
         finally:
             over.set()
     sender.join()
-
-
-def test_a_yielded_scan_opens_along_its_own_path() -> None:
-    i = np.arange(64) * 2 * np.pi / 64
-    waves = 2e-8 * (np.cos(3 * i)[:, None] * np.cos(2 * i) + 0.4 * np.sin(5 * i + 1)[:, None])
-    heights = asperity.Topography(waves, 1e-6, "m", periodic=True)
-    solid = asperity.Interface(1e11, 0.3, hardness=1.5e8)
-    given: dict[str, Any] = {"interface": solid}
-    path = asperity.bem_unloading(heights, pressure="50 MPa", points=5, **given)
-    loaded = asperity.bem(heights, pressure=50e6, quantities=["unloading-stiffness"], **given)
-    assert loaded["plastic_fraction"] > 0
-    assert path["pressure_Pa"][0] == pytest.approx(50e6, rel=1e-9)
-    stiffness = loaded["unloading_stiffness_N_per_m"][0]
-    assert path["stiffness_N_per_m"][0] == pytest.approx(stiffness, rel=1e-9)
-    assert path["area_fraction"][0] == pytest.approx(loaded["area_fraction"][0], rel=1e-9)
-    assert path["pressure_Pa"][-1] <= 0
-    assert path["retreat_m"][-1] == pytest.approx(path.last_contact)
-    retreat = path["retreat_m"][1]
-    again = asperity.bem_unloading(heights, load=path["load_N"][0], retreat=retreat, **given)
-    assert again["pressure_Pa"] == pytest.approx(path["pressure_Pa"][1], rel=1e-6)
-
-
-def test_a_scan_slips_and_sticks(tmp_path: Path, scene: asperity.Scene) -> None:
-    np.save(tmp_path / "scan.npy", rough())
-    shear = "equivalent_shear_modulus = 24e9"
-    elastic = asperity.Scene.parse(scene.to_toml().replace("hardness = 2e9", shear), tmp_path)
-    given: dict[str, Any] = {"friction": 0.3, "pressure": "20 MPa"}
-    slip = asperity.bem_slip(elastic, amplitude="3 nm", points=5, **given)
-    force, back, loss = slip["force_N"], slip["back_N"], slip["loss_J"]
-    np.testing.assert_allclose(slip["shift_m"], np.linspace(-3e-9, 3e-9, 5), atol=1e-24)
-    assert np.isnan(force[:2]).all() and force[2] == 0
-    assert slip["forth_N"][2] == -back[2] and 0 < loss[3] < loss[4]
-    pressed = asperity.bem(elastic, pressure=20e6)
-    assert pressed.pressures is not None
-    np.testing.assert_array_equal(slip.states > 0, pressed.pressures[0] > 0)
-    assert {1.0, 2.0} < set(slip.states.ravel())
 
 
 SEAL = """

@@ -208,17 +208,6 @@ def test_texts_of_tables_have_every_digit_and_blanks_for_missing_values(
     assert curve.to_dataframe()["area_m2"].isna().tolist() == [False, True, False]
 
 
-def test_plans(scene: asperity.Scene) -> None:
-    plan = asperity.plan("ke", scene, np.linspace(0, 4, 9), ["force", "tangent", "area"])
-    assert [(step["law"], step["quantities"]) for step in plan.steps] == [
-        ("force", ["force", "tangent"]),
-        ("area", ["area"]),
-    ]
-    assert plan.steps[0]["terms"][1] <= 16
-    at_loads = asperity.plan("ke", scene, load=[1.0, 100.0], quantities="area")
-    assert {step["law"] for step in at_loads.steps} == {"force", "area"}
-
-
 def test_all_ids_make_models() -> None:
     ids = [model.id for model in asperity.models()]
     assert len(ids) == len(set(ids)) == 41

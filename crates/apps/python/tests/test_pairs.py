@@ -64,15 +64,3 @@ def test_a_law_of_your_own_knows_the_density_if_it_says_so() -> None:
         laws = [asperity.model(Scaled), asperity.model(Plain)]
         scaled, plain = (float(law.solve(scene, 1.0).force) for law in laws)
         assert scaled / plain == pytest.approx(density, rel=1e-10)
-
-
-class Facing(Plain):
-    """Hertz between two surfaces."""
-
-    asperities = "pairs"
-
-
-def test_a_law_of_your_own_has_pairs() -> None:
-    for separation in (0.0, 1.0, 3.0):
-        found = float(asperity.model(Facing).solve(SCENE, separation).force)
-        assert found == pytest.approx(force(SCENE, "gt", separation), rel=1e-10)

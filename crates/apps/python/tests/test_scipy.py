@@ -64,7 +64,7 @@ def integral(
             epsrel=1e-10,
             limit=400,
         )[0]
-    return float(scene.asperities * total)
+    return float(scene.surface.asperity_density * scene.nominal_area * total)
 
 
 @pytest.mark.parametrize("heights", ["gaussian", "exponential"])

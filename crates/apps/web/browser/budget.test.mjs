@@ -12,7 +12,7 @@ import { example, explorer, page, READY } from "./harness.mjs";
 
 const native = process.env.ASPERITY_DESK;
 const NINE = ["gw", "ceb", "zmc", "ke", "etsion", "jg", "jg-cosine", "af", "persson"];
-const RANDOM = { pixels: 512, side: "200 um", longest: "50 um", shortest: "2 um", hurst: 0.8, sq: "0.4 um", seed: 1 };
+const RANDOM = { pixels: "512", side: "200 um", longest: "50 um", shortest: "2 um", hurst: "0.8", sq: "0.4 um", seed: "1" };
 const LOAD = { text: "100 N", unit: "N" };
 
 // 1.35 MB were wanted. The Fourier transforms with vector instructions take 46 kB (without them

@@ -144,7 +144,7 @@ test("other surfaces", async () => {
   await page.change([field("surface.ra"), "1.6"]);
   assert.equal(await page.value("field-surface-counterface-ra"), "0.8 um");
   // A table is in the middle of the ranges.
-  assert.deepEqual([(await page.all("#export-model option")).length, ...(await page.disabled("save-table"))], [3, false]);
+  assert.deepEqual([(await page.all("#export-model option")).length, ...(await page.disabled("save-table"))], [4, false]);
 });
 
 test("curved bodies", async () => {

@@ -6,7 +6,7 @@ use asperity_scene::{SceneFile, Unknown};
 use serde_json::{Value, json};
 
 use crate::answer::{Column, Known, Row, Source, quantities};
-use crate::labels::{symbols, term};
+use crate::labels::{raised, term};
 use crate::shown::{interval, percent, shown};
 use crate::span::Load;
 
@@ -116,8 +116,8 @@ pub(crate) fn answer(
         "row": shown_row(row, row, columns),
         "head": crate::answer::head(columns, true),
         "model": models,
-        "basis": symbols(&(behind.by + &widest)),
-        "also": symbols(&behind.also),
+        "basis": raised(&(behind.by + &widest)),
+        "also": raised(&behind.also),
         "surface": surface,
         "spoken": format!("At {}: {said}", load.text),
     })

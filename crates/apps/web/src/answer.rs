@@ -12,7 +12,7 @@ use asperity_scene::SceneFile;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::labels::{message, symbols};
+use crate::labels::{message, raised};
 use crate::refusal::Refusal;
 use crate::shown::ranged;
 use crate::span::Span;
@@ -108,7 +108,7 @@ impl Column {
 
     /// A value, or the reason why there is none.
     pub(crate) fn cell(&self, found: &Result<Known, String>) -> Value {
-        let none = |reason: &String| json!({ "quantity": self.id, "shown": symbols(reason) });
+        let none = |reason: &String| json!({ "quantity": self.id, "shown": raised(reason) });
         found.as_ref().map_or_else(none, |known| self.known(known))
     }
 }
@@ -308,17 +308,17 @@ impl Row {
             _ => false,
         };
         let mark = found.iter().find(is_impossible).filter(|_| !file.findings().are_implausible());
-        row.mark = mark.map(|found| message(found, false));
+        row.mark = mark.map(message);
         let is_outside = |one: &&Finding| {
             one.code.is_of_model() && one.code != Code::Yields && one.severity != Severity::Note
         };
-        row.outside = found.iter().find(is_outside).map(|one| message(one, false));
+        row.outside = found.iter().find(is_outside).map(message);
         found.extend(warnings.into_iter().filter(|one| one.severity < Severity::Note));
         row.findings = found;
         let (model, load) = (own.model(), at.load(&file.scene).unwrap_or_default());
         if row.cells.iter().all(Result::is_err) {
             let why = row.cells.first().and_then(|cell| cell.as_ref().err());
-            let why = why.map(|why| symbols(why)).unwrap_or_default();
+            let why = why.map(|why| raised(why)).unwrap_or_default();
             row.reason = Some(match load < 0.0 {
                 true if !model.validity().adhesive => {
                     format!("models without adhesion carry no tension; use {ADHESIVE}")

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use asperity::{BestContact, Code, Finding, Model, SolvedContact, Tolerance};
 use asperity_scene::{HandedFiles, SceneFile};
-use asperity_topography::Topography;
 use serde_json::{Value, json};
 
 use crate::advice::BEST;
@@ -14,8 +13,8 @@ use crate::message::{Message, Solved};
 use crate::refusal::Refusal;
 use crate::span::{Load, LoadKeys, Span};
 use crate::{
-    advice, answer, fields, labels, law, link, picture, press, read_scene, scan_report,
-    surface_keys, table,
+    advice, answer, fields, labels, link, picture, press, read_scene, scan_report, surface_keys,
+    table,
 };
 
 /// A scene with the files that it names, and its compiled models.
@@ -68,20 +67,6 @@ impl Desk {
         self.files.get(name).map(Vec::as_slice)
     }
 
-    /// The heights \[m\] of the scan of the scene, for the report of another desk.
-    #[must_use]
-    pub fn heights(&self) -> &[f64] {
-        let scan = self.file.as_ref().and_then(SceneFile::scan);
-        scan.map_or(&[], Topography::heights)
-    }
-
-    /// The report of a scan from its heights \[m\] and their shape, as `scan` gives it.
-    #[must_use]
-    pub fn report(&self, heights: Vec<f64>, shape: &str) -> String {
-        let shape = serde_json::from_str(shape).map_err(Refusal::from);
-        reply(shape.and_then(|shape| scan_report::report(heights, shape)))
-    }
-
     fn scene(&self) -> Result<&SceneFile, Refusal> {
         self.file.as_ref().ok_or_else(no_scene)
     }
@@ -116,7 +101,6 @@ impl Desk {
             Message::Edit { text, changes, another } => {
                 surface_keys::edited(&text, &changes, another)?.into()
             }
-            Message::Changed { text } => fields::changed(&text).into(),
             Message::Form => {
                 let materials = asperity_scene::materials().iter().map(read_scene::material);
                 let mut form = surface_keys::form();
@@ -139,12 +123,10 @@ impl Desk {
                 json!(rows.collect::<BTreeMap<_, _>>())
             }
             Message::Draw(asked) => picture::curves(self.scene()?, &asked)?.into(),
-            Message::Scan => scan_report::numbers(self.scene()?)?,
+            Message::Scan => scan_report::report(self.scene()?)?,
             Message::Export { model, form, units } => {
                 table::table(self.scene()?, &model, &form, &units)?
             }
-            Message::Tables { models, form } => table::refusals(self.scene()?, &models, &form)?,
-            Message::Law { model } => law::law(self.scene()?, &model)?,
             Message::Link { state } => link::link(state)?.into(),
             Message::Unlink { link } => link::unlink(&link)?,
         })

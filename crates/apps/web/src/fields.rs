@@ -9,9 +9,6 @@ use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 use crate::message::Change;
 use crate::refusal::Refusal;
 
-/// How the description of a changed example begins.
-const CHANGED: &str = "Changed from:";
-
 const SYNTAX: &str = "the scene file has a syntax error; correct the text first";
 
 /// The values of all keys as typed: texts without their quotes.
@@ -159,20 +156,6 @@ fn section_of<'d>(document: &'d mut DocumentMut, section: &str) -> Option<&'d mu
     Some(table)
 }
 
-/// The text of an example that was changed: the comment that begins it, which describes the
-/// example, becomes its first sentence and says so.
-pub(crate) fn changed(text: &str) -> String {
-    let lines = text.lines().take_while(|line| line.starts_with('#'));
-    let words: Vec<&str> = lines.clone().map(|line| line.trim_start_matches('#').trim()).collect();
-    let words = words.join(" ");
-    if words.is_empty() || words.starts_with(CHANGED) {
-        return text.into();
-    }
-    let first = words.split_once(". ").map_or(words.trim_end_matches('.'), |(first, _)| first);
-    let rest: String = text.split_inclusive('\n').skip(lines.count()).collect();
-    format!("# {CHANGED} {first}.\n{rest}")
-}
-
 /// The numbers that a body with another material has: none or, without a material, the numbers of
 /// the old one.
 fn numbers_of_material(change: &Change, known: &BTreeMap<String, String>) -> Vec<Change> {
@@ -286,16 +269,6 @@ mod tests {
         let edited = |value| edit(text, &[change("nominal_area", Some(value))]).unwrap();
         assert_eq!(edited("3 cm2"), "# as measured\nnominal_area = \"3 cm2\"\n");
         assert_eq!(edited("1e-4"), text);
-    }
-
-    #[test]
-    fn a_changed_example_says_so_once_and_is_not_described_any_more() {
-        let text = include_str!("../../../answer/scene/examples/wheel-rail.toml");
-        let found = changed(text);
-        assert_eq!((found.matches(CHANGED).count(), found.lines().nth(1)), (1, Some("")));
-        assert_eq!(fields(&found), fields(text));
-        assert_eq!(changed(&found), found);
-        assert_eq!(changed(TEXT), TEXT);
     }
 
     #[test]

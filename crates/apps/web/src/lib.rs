@@ -10,7 +10,6 @@ mod desk;
 mod fields;
 mod files;
 mod labels;
-mod law;
 mod link;
 mod message;
 mod picture;
@@ -27,4 +26,3 @@ mod table;
 mod wasm;
 
 pub use desk::Desk;
-pub use law::chapter_of;

@@ -17,8 +17,6 @@ use crate::span::LoadKeys;
 pub(crate) enum Message {
     /// Reads the text of a scene, which is the scene of later messages.
     Show { text: String },
-    /// The text of an example that was changed.
-    Changed { text: String },
     /// The text with other values; `another`: the other surface is not like the first.
     Edit {
         text: String,
@@ -49,14 +47,10 @@ pub(crate) enum Message {
     Curve { models: Vec<String> },
     /// The picture of rows.
     Draw(Draw),
-    /// The numbers of the scan, and the shape of its heights.
+    /// The numbers of the scan and its pictures.
     Scan,
     /// A table for a finite-element program.
     Export { model: String, form: String, units: String },
-    /// Why models have no such table in a form.
-    Tables { models: Vec<String>, form: String },
-    /// The law of one asperity.
-    Law { model: String },
     /// The link of a state of the page.
     Link { state: Map<String, Value> },
     /// The state of a link.

@@ -2,10 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use asperity::bem::HeightMap;
 use asperity_plot::{
-    Axis, Between, Curve, Figure, MEASURED, Map, Mark, Panel, Scale, draw, draw_map, largest_of,
-    legible, look_of,
+    Axis, Between, Curve, Figure, MEASURED, Map, Mark, Panel, Scale, draw, draw_map, legible,
+    look_of,
 };
 use asperity_scene::SceneFile;
 use serde_json::{Value, json};
@@ -20,8 +19,6 @@ use crate::span::Load;
 const DRAWN: usize = 384;
 /// Width of a map, as on a phone.
 const SMALL: f64 = 340.0;
-/// Most parts along a side of a map whose values are read.
-const PARTS: usize = 64;
 /// Names of the band and of boundary elements among the curves.
 const LOWEST: &str = "lowest";
 const HIGHEST: &str = "highest";
@@ -136,44 +133,10 @@ pub(crate) fn curves(file: &SceneFile, asked: &Draw) -> Result<String, Refusal> 
     Ok(draw(&figure, &csv)?)
 }
 
-/// The picture of a map of a contact, as on a phone, with a line about it, and what is read of each
-/// part of its values under the pointer, which stand beside what the word for 0 is.
-pub(crate) fn map(
-    map: Map,
-    heights: &HeightMap,
-    caption: String,
-    values: &[f64],
-    said: (impl Fn(f64) -> String, &str),
-) -> Result<Value, Refusal> {
+/// The picture of a map of a contact, as on a phone, with a line about it.
+pub(crate) fn map(map: Map, caption: String) -> Result<Value, Refusal> {
     let svg = draw_map(&Map { width: Some(SMALL), ..map.coarser(DRAWN) })?;
-    let readings = readings(values, heights.shape(), heights.pixel(), said);
-    Ok(json!({ "svg": svg, "caption": caption, "readings": readings }))
-}
-
-/// The readings of rows x columns of pixels with these heights and widths, as the picture from its
-/// top: the pixels along a side of a part, of which the last of a row or column may have fewer, the
-/// middles of columns and of rows, and the largest value of each part.
-fn readings(
-    values: &[f64],
-    [rows, columns]: [usize; 2],
-    [dy, dx]: [f64; 2],
-    (said, none): (impl Fn(f64) -> String, &str),
-) -> Value {
-    let step = rows.max(columns).div_ceil(PARTS).max(1);
-    let (largest, _) = largest_of(values, columns, step);
-    let middles = |count: usize, pixel: f64| -> Value {
-        let middle = |from: usize| 0.5 * (from + (from + step).min(count)) as f64 * pixel;
-        (0..count).step_by(step).map(|from| shown(middle(from), "m")).collect()
-    };
-    // A part of several pixels is described by its largest value.
-    let bound = if step > 1 { "up to " } else { "" };
-    let text = |value: f64| match value > 0.0 {
-        true => format!("{bound}{}", said(value)),
-        false => none.into(),
-    };
-    let values: Value = largest.into_iter().map(text).collect();
-    let (x, y) = (middles(columns, dx), middles(rows, dy));
-    json!({ "pixels": [rows, columns], "step": step, "x": x, "y": y, "values": values })
+    Ok(json!({ "svg": svg, "caption": caption }))
 }
 
 #[cfg(test)]
@@ -258,29 +221,5 @@ mod tests {
         let none = draw(&[], "unloading-stiffness", &[]).unwrap_err();
         assert_eq!(none.field.as_deref(), Some("view"));
         assert!(draw(&[], "area-fraction", &[[1e6, 1e-3]]).is_ok());
-    }
-
-    const SAID: (fn(f64) -> String, &str) = (|pressure| shown(pressure, "Pa"), "no contact");
-
-    #[test]
-    fn parts_have_their_middle_and_their_largest_pressure() {
-        let mut pressures = vec![0.0; 130 * 65];
-        (pressures[129], pressures[128]) = (2e9, 1e9);
-        let found = readings(&pressures, [65, 130], [2e-6, 1e-6], SAID);
-        let all = |key: &str| found[key].as_array().unwrap();
-        assert_eq!((&found["step"], all("x").len(), all("y").len()), (&json!(3), 44, 22));
-        assert_eq!(all("x")[42..44], [json!("127.5 µm"), json!("129.5 µm")]);
-        assert_eq!((&found["y"][21], all("values").len()), (&json!("128 µm"), 44 * 22));
-        let values = ["up to 1 GPa", "up to 2 GPa", "no contact"].map(Value::from);
-        assert_eq!(all("values")[42..45], values);
-    }
-
-    #[test]
-    fn a_single_pixel_has_its_own_pressure() {
-        let found = readings(&[0.0, 3e6], [1, 2], [1e-6; 2], SAID);
-        assert_eq!(
-            (&found["step"], &found["values"]),
-            (&json!(1), &json!(["no contact", "3 MPa"]))
-        );
     }
 }

@@ -4,7 +4,7 @@ use asperity::{Body, DerivedNumber, Described, Model};
 use asperity_scene::{BODY, Field, HandedFiles, Key, Material, SceneFile, parse_handed};
 use serde_json::{Value, json};
 
-use crate::labels::{model_name, model_sentence, symbols, term};
+use crate::labels::{model_sentence, raised, term};
 use crate::refusal::Refusal;
 use crate::shown::{number, ranged, shown};
 use crate::{answer, fields, labels, press, surface_keys};
@@ -26,7 +26,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
     found["views"] = json!(columns);
     let derived = |of: &DerivedNumber| {
         let shown = ranged(of.value, of.ends, of.unit);
-        number(&term(&of.name), shown, of.value, &symbols(&of.meaning))
+        number(&term(&of.name), shown, of.value, &raised(&of.meaning))
     };
     match read {
         Ok(file) => {
@@ -40,7 +40,6 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
             found["models"] = models(&file);
             // Of a csv of model, load, pressure and cells.
             found["head"] = answer::head(&columns, !file.unknowns().is_empty()).into();
-            found["ends"] = (!file.unknowns().is_empty()).into();
             // The model that tables begin with.
             found["usual"] = asperity::usual_reference(&file.scene).into();
             found["scan"] = press::scan(&file).into();
@@ -65,18 +64,15 @@ fn models(file: &SceneFile) -> Value {
     let shown = |model: &Model, reason: Option<String>| {
         json!({
             "id": model.id(),
-            "name": model_name(model),
             "about": model_sentence(model),
             // Averages over contact angles take seconds to prepare.
             "slow": model.validity().angles,
-            // Theories of the whole surface have no law of one asperity, and variants another.
-            "whole": model.asperity_model().is_none() || model.sum_of_contacts().is_some(),
             "equal": model.equal().id(),
             "reason": reason,
         })
     };
     let left_out = left_out.iter().filter_map(|left_out| {
-        Some(shown(&left_out.id.parse().ok()?, Some(symbols(&left_out.reason.to_string()))))
+        Some(shown(&left_out.id.parse().ok()?, Some(raised(&left_out.reason.to_string()))))
     });
     allowed.iter().map(|model| shown(model, None)).chain(left_out).collect()
 }

@@ -6,7 +6,7 @@ use asperity::ContactError;
 use asperity_scene::SceneError;
 use serde::Serialize;
 
-use crate::labels::symbols;
+use crate::labels::raised;
 
 /// An error with its place.
 #[derive(Debug, Default, Serialize)]
@@ -40,7 +40,7 @@ impl<E: Error + 'static> From<E> for Refusal {
         let any: &dyn Error = &error;
         match (any.downcast_ref(), any.downcast_ref::<ContactError>()) {
             (Some(error), _) => Self::of_scene(error),
-            (_, Some(error)) => Self::new(symbols(&error.to_string())),
+            (_, Some(error)) => Self::new(raised(&error.to_string())),
             _ => Self::new(error),
         }
     }

@@ -8,7 +8,7 @@ use asperity_scene::{KEYS, Key, SceneFile, Subject};
 use serde_json::{Value, json};
 
 use crate::fields::{edit, fields, files};
-use crate::labels::symbols;
+use crate::labels::raised;
 use crate::message::Change;
 use crate::random::RANDOM;
 use crate::refusal::Refusal;
@@ -45,7 +45,7 @@ const OF_BOTH: [&str; 2] = ["counterface", "separation_from"];
 pub(crate) fn form() -> Value {
     let unit = |key: &Key| match OF_DRAWING.contains(&key.name) {
         true => "µm".into(),
-        false => symbols(key.unit).replace("ohm", "Ω"),
+        false => raised(key.unit).replace("ohm", "Ω"),
     };
     let field = |key: &Key| [key.name.into(), key.form[0].into(), key.form[1].into(), unit(key)];
     let of = |is_of: &dyn Fn(&Key) -> bool| -> Vec<_> {

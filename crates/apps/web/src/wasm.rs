@@ -36,18 +36,6 @@ impl JsDesk {
         self.desk.file(name).unwrap_or_default().to_vec()
     }
 
-    /// See [`Desk::heights`](crate::Desk::heights).
-    #[must_use]
-    pub fn heights(&self) -> Vec<f64> {
-        self.desk.heights().to_vec()
-    }
-
-    /// See [`Desk::report`](crate::Desk::report).
-    #[must_use]
-    pub fn report(&self, heights: Vec<f64>, shape: &str) -> String {
-        self.desk.report(heights, shape)
-    }
-
     /// See [`Desk::press`](crate::Desk::press).
     pub fn press(&self, pressures: &[f64], leaks: bool, happened: &js_sys::Function) -> String {
         self.desk.press(pressures, leaks, |event| {

@@ -58,7 +58,7 @@ export function load(shown, typed) {
 }
 
 // Each reason once, with its models.
-export function byReason(rows) {
+function byReason(rows) {
   const models = new Map();
   for (const { model, reason, mark } of rows) models.set(reason ?? mark, [...(models.get(reason ?? mark) ?? []), model]);
   return [...models];

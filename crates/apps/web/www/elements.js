@@ -149,24 +149,9 @@ class Elements {
 
   // The map of the pressures, or of the flow.
   show(one, map = one.maps[0]) {
-    [this.shown, this.map] = [one, map];
+    this.shown = one;
     picture($("contact"), map.svg, `map at ${one.load}: ${map.caption}`);
     $("contact-reading").textContent = map.caption;
-  }
-
-  // The values of the map under the pointer.
-  readings() {
-    const [figure, output] = [$("contact"), $("contact-reading")];
-    figure.addEventListener("pointermove", ({ clientX, clientY }) => {
-      const box = figure.querySelector("image")?.getBoundingClientRect();
-      if (!box || !this.shown) return;
-      const { pixels: [rows, columns], step, x, y, values } = this.map.readings;
-      const part = (share, pixels) => Math.floor(Math.floor(share * pixels) / step);
-      const column = part((clientX - box.left) / box.width, columns);
-      const row = part((clientY - box.top) / box.height, rows);
-      output.textContent = x[column] && y[row] ? `x ${x[column]}, y ${y[row]}: ${values[row * x.length + column]}` : "";
-    });
-    figure.addEventListener("pointerleave", () => { output.textContent = this.shown ? this.map.caption : ""; });
   }
 
   table() {

@@ -49,7 +49,6 @@ function surfaces() {
 
 function boundaryElements() {
   Object.assign(elements, { changed: redraw, edit });
-  elements.readings();
   leak(edit);
   $("solve").addEventListener("click", () => elements.solve(true));
   $("solve-load").addEventListener("click", () => elements.solve(false));

@@ -1,5 +1,5 @@
 // The report of the scene's scan.
-import { $, element, heading, lowered, noPicture, picture } from "./page.js";
+import { $, element, lowered, noPicture, picture } from "./page.js";
 import { desks, files, page, work } from "./state.js";
 
 // The scan that the report on the page is about: its file and the keys of the surface.
@@ -12,23 +12,19 @@ export function showReport(there) {
   $("no-scan").hidden = there;
   if (there && reported === about(page.shown)) return;
   reported = "";
-  for (const id of ["scan-caption", "scan-numbers", "scales"]) $(id).replaceChildren();
+  for (const id of ["scan-caption", "scan-numbers"]) $(id).replaceChildren();
   noPicture($("scan-picture"));
   noPicture($("scan-curve"));
 }
 
-// Reports on the scan of the scene after its values, in the worker of slow models: the file was
-// read by the other.
+// Reports on the scan of the scene after its values, in the worker of slow models, which reads
+// the file as well.
 export const reportScan = () => page.shown?.scan && !reported && work("slow", "scan", report);
 
 async function report() {
   const { text, shown } = page;
   if (!shown?.scan || reported) return;
-  const { numbers, shape } = await desks.quick.ask(text, "scan");
-  const heights = await desks.quick.send("heights");
-  if (page.shown !== shown) return;
-  const message = { heights, shape: JSON.stringify(shape) };
-  const { svg, curve, caption, scales } = await desks.slow.send("report", message, undefined, [heights.buffer]);
+  const { numbers, svg, curve, caption } = await desks.slow.ask(text, "scan");
   if (page.shown !== shown) return;
   reported = about(shown);
   picture($("scan-picture"), svg, "map of the heights, their distribution and their spectra");
@@ -36,7 +32,4 @@ async function report() {
   $("scan-caption").replaceChildren(...caption.map((text) => element("p", {}, text)));
   $("scan-numbers").replaceChildren(...numbers.map(({ name, digits, shown, meaning }) =>
     element("tr", {}, element("th", { scope: "row", title: meaning }, ...lowered(name)), element("td", { title: digits }, shown))));
-  const head = element("tr", {}, ...scales.head.map((name) => heading(name)));
-  $("scales").replaceChildren(element("caption", {}, "Slopes and curvatures at several point distances"), head,
-    ...scales.rows.map((row) => element("tr", {}, ...row.map((text) => element("td", {}, text)))));
 }

@@ -69,8 +69,7 @@ async function used(source) {
   for (;;) {
     const { text } = state;
     try {
-      const own = state.example ? await desks.quick.call("changed", { text }) : text;
-      const found = await useScan(own, source);
+      const found = await useScan(text, source);
       if (state.text === text) return found;
     } catch (error) {
       if (!before || !page.shown?.error) throw error;

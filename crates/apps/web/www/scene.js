@@ -37,7 +37,6 @@ export function change(make, kind) {
     do {
       text = state.text;
       made = await make(text);
-      if (state.example && made !== text) made = await tools("changed", { text: made });
     } while (state.text !== text);
     setScene(made, kind);
   });
@@ -88,7 +87,7 @@ async function show(text) {
   if (chosen().length === 0) state.models = shown.models.filter((model) => !model.reason && !model.slow).slice(0, 3).map((model) => model.id);
   blocks.models(shown.models, chosen(), setModels);
   blocks.numbers(shown.numbers);
-  takeAway.models(shown, chosen());
+  takeAway.models(chosen());
   elements.allow(shown.scan);
   showReport(Boolean(shown.scan));
   await values(state.load ? { text: state.load } : { position: USUAL });
@@ -104,7 +103,7 @@ function clear(why) {
   blocks.clear(why);
   elements.allow(null);
   showReport(false);
-  takeAway.models({ models: [] }, []);
+  takeAway.models([]);
   followers.forEach((follow) => follow());
 }
 
@@ -252,7 +251,7 @@ export function setModels(ids) {
   // The load before was answered by other models.
   page.answered = "";
   note("models");
-  takeAway.models(page.shown, chosen());
+  takeAway.models(chosen());
   // Other models may answer a load that was refused.
   answer(page.refused ? { text: $("load").value.trim(), unit: $("unit").value } : { text: state.load });
   writeLink();

@@ -1,10 +1,9 @@
 // Files and lines to take away.
-import { $, download, element, options, picture, noPicture, readings } from "./page.js";
+import { $, download, element, options } from "./page.js";
 import { answers, ask, chosen, desks, isSlow, page, state, work } from "./state.js";
-import { byReason } from "./answers.js";
 import { writeLink } from "./link.js";
 
-// The model that was ticked or chosen last: tables and laws begin with it.
+// The model that was ticked or chosen last: tables begin with it.
 let picked = null;
 
 const on = (id, act) => $(id).addEventListener("click", () => work("page", null, act));
@@ -59,26 +58,6 @@ async function copyLink() {
   }
 }
 
-// The models that have a table in the chosen form; why the others have none.
-function tables() {
-  const { shown } = page;
-  const form = $("export-form").value;
-  const ids = chosen();
-  work("page", "tables", async () => {
-    const refused = {};
-    for (const slow of [false, true]) {
-      const models = ids.filter((id) => isSlow(id) === slow);
-      if (answers() && models.length > 0) Object.assign(refused, await ask(slow ? desks.slow : desks.quick, "tables", { models, form }));
-    }
-    if (page.shown !== shown || $("export-form").value !== form || String(chosen()) !== String(ids)) return;
-    const offered = ids.filter((id) => !refused[id]);
-    options($("export-model"), offered.map((id) => [id, id]), [picked, shown?.usual].find((id) => offered.includes(id)) ?? offered[0]);
-    $("save-table").disabled = offered.length === 0;
-    const rows = ids.filter((id) => refused[id]).map((model) => ({ model, reason: refused[model] }));
-    $("no-table").textContent = byReason(rows).map(([reason, models]) => `No table of ${models.join(", ")}: ${reason}`).join("; ");
-  });
-}
-
 // Lines that give the digits of the page beside its scene file: the same models at the same load.
 async function code() {
   if (!$("code").open || !answers() || !page.load) return;
@@ -102,30 +81,12 @@ for name in ${JSON.stringify(chosen())}:
             print(name, quantity, "none:", reason)`;
 }
 
-function law() {
-  const model = $("law-model").value;
-  if (!$("law").open || !model || !answers()) return;
-  const lane = isSlow(model) ? "slow" : "page";
-  work(lane, "law", async () => {
-    const { text, shown } = page;
-    if (!answers()) return;
-    const { svg, source, guide } = await ask(deskOf(model), "law", { model });
-    if (text !== page.text || shown !== page.shown || $("law-model").value !== model) return;
-    $("law-source").replaceChildren(`${source} `, element("a", { href: guide }, "Equations and range"));
-    picture($("law-picture"), svg, `force and area of one asperity by ${model} against the interference`);
-  });
-}
-
 export const takeAway = {
   start() {
     saves();
     $("copy-link").addEventListener("click", copyLink);
     $("code").addEventListener("toggle", takeAway.code);
-    $("law").addEventListener("toggle", law);
-    $("law-model").addEventListener("change", law);
-    for (const id of ["export-model", "law-model"]) $(id).addEventListener("change", () => takeAway.pick($(id).value));
-    $("export-form").addEventListener("change", tables);
-    readings($("law-picture"), $("law-reading"));
+    $("export-model").addEventListener("change", () => takeAway.pick($("export-model").value));
   },
   // The code of the present load.
   code: () => work("page", "code", code),
@@ -138,22 +99,9 @@ export const takeAway = {
     $("scene-files").textContent = `The program reads ${names.join(", ")} from the folder of the scene file: save them in one folder.`;
   },
   // The models of the scene; none for a scene with an error.
-  models({ models: all, usual }, ids) {
-    // Theories of the whole surface have no law of one asperity.
-    const allowed = all.filter(({ reason, whole }) => !reason && !whole).map(({ id }) => [id, id]);
-    const first = (list) => [picked, usual].find((id) => list.includes(id)) ?? list[0];
-    options($("export-model"), [], "");
-    $("no-table").textContent = "";
-    options($("law-model"), allowed, first(allowed.map(([id]) => id)));
-    $("save-table").disabled = true;
-    $("law-model").disabled = ids.length === 0;
-    if (ids.length === 0) {
-      noPicture($("law-picture"));
-      $("law-source").replaceChildren();
-      for (const language of ["shell", "python"]) $(`code-${language}`).textContent = "";
-    } else {
-      law();
-      tables();
-    }
+  models(ids) {
+    options($("export-model"), ids.map((id) => [id, id]), [picked, page.shown?.usual].find((id) => ids.includes(id)) ?? ids[0]);
+    $("save-table").disabled = ids.length === 0;
+    if (ids.length === 0) for (const language of ["shell", "python"]) $(`code-${language}`).textContent = "";
   },
 };

@@ -7,7 +7,7 @@ use asperity::{At, Code, Quantity, Severity, Tolerance};
 use asperity_answer::{Sheet, lines, scene_findings, solve, title, with_ranges};
 use clap::Args;
 
-use crate::input::args::{OutputArgs, approaches, check_approaches, loads, tolerance};
+use crate::input::args::{OutputArgs, approaches, check_approaches, loads};
 use crate::input::distances::metre;
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load_or_tension, pressure_or_tension};
@@ -38,10 +38,6 @@ pub struct Answer {
     /// Solve the scan of the scene at these loads by boundary elements, and answer with that
     #[arg(long)]
     solve: bool,
-    /// Relative tolerance of values of models, from 1e-15 to 0.1; of curved bodies from 1e-8, and
-    /// 1e-6 in place of the default
-    #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
-    tolerance: Tolerance,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -71,7 +67,7 @@ impl Answer {
             scene.file.solved = solve(&scene.file, &at, &Terminal::default())?;
         }
         let file = &scene.file;
-        let asked = asperity_answer::Answer::new(file, &self.quantities, at, self.tolerance);
+        let asked = asperity_answer::Answer::new(file, &self.quantities, at, Tolerance::default());
         let working = progress("models");
         let fill = |sheet: &mut Sheet| {
             sheet.extend(scene_findings(file, true));

@@ -1,18 +1,18 @@
 //! `asperity bem`: boundary elements on the scan of a scene, and models beside them.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Error, Result};
 use asperity::Quantity;
 use asperity::bem::{Bem, LoadCase, Solution};
-use asperity_answer::{AnswerError, Press, Sheet, compared, rounded, sealing, truth};
-use asperity_plot::{draw_map, map_png};
+use asperity_answer::{AnswerError, Press, Sheet, compared, sealing, truth};
+use asperity_plot::draw_map;
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
-use crate::input::args::{EndArgs, OutputArgs, PressArgs, file_ending, listed_model_id};
+use crate::input::args::{EndArgs, OutputArgs, PressArgs, file_ending, listed_model_id, svg_file};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{length, load, pressure};
+use crate::input::numbers::{load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::{self, terminal};
 use crate::output::{self, contact_map, show};
@@ -33,7 +33,7 @@ pub struct BemCommand {
     places: Places,
     /// Compare models with boundary elements: area, mean gap and, unless --quantity names others,
     /// the stiffness of first loading, with deviations
-    #[arg(long, conflicts_with_all = ["gaps", "map", "picture", "flow_picture"])]
+    #[arg(long, conflicts_with_all = ["map", "picture", "flow_picture"])]
     compare: bool,
     /// Models to compare [default: all that the scene allows, with random asperities and Persson]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
@@ -60,13 +60,11 @@ pub struct BemCommand {
     /// Write the pressures in Pa as a NumPy matrix, stacked for several loads
     #[arg(long, value_name = "FILE.npy", value_parser = file_ending(&["npy"], NPY))]
     map: Option<PathBuf>,
-    /// Draw a map of the contact pressure at one load; png is the map without labels
-    #[arg(long, value_name = "FILE.svg|png")]
-    #[arg(value_parser = file_ending(&["svg", "png"], "maps are written as svg or png, and `inkscape map.svg -o map.pdf` makes pdf of one"))]
+    /// Draw a map of the contact pressure at one load
+    #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
     picture: Option<PathBuf>,
-    /// Draw the flow along x through the gap at one load; png is the map without labels
-    #[arg(long, value_name = "FILE.svg|png")]
-    #[arg(value_parser = file_ending(&["svg", "png"], "maps are written as svg or png, and `inkscape map.svg -o map.pdf` makes pdf of one"))]
+    /// Draw the flow along x through the gap at one load
+    #[arg(long, value_name = "FILE.svg", value_parser = svg_file())]
     flow_picture: Option<PathBuf>,
     #[command(flatten)]
     output: OutputArgs,
@@ -77,7 +75,7 @@ const SAMPLES: u16 = 8;
 /// How maps are written.
 const NPY: &str = "matrices are written in NumPy format";
 
-/// The loads or gaps to solve.
+/// The loads to solve.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = false)]
 struct Places {
@@ -94,24 +92,14 @@ struct Places {
     #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load))]
     #[arg(action = ArgAction::Append)]
     loads: Vec<Numbers>,
-    /// Mean gaps above 0, in m; where the mean planes of a yielded contact have passed each other,
-    /// give loads
-    #[arg(long = "gap", value_name = "A:B:N[:log]|v,v", value_parser = all(length))]
-    #[arg(action = ArgAction::Append)]
-    gaps: Vec<Numbers>,
 }
 
 impl Places {
-    /// The loads and gaps in the order of the command line; the pressure on the scan is that on the
-    /// nominal area.
-    fn given(&self, nominal_area: f64) -> Vec<LoadCase> {
-        let all = |lists: &[Numbers], given: &dyn Fn(f64) -> LoadCase| {
-            lists.iter().flat_map(|list| &list.0).map(|value| given(*value)).collect::<Vec<_>>()
-        };
-        let mut given = all(&self.pressures, &LoadCase::MeanPressure);
-        given.extend(all(&self.loads, &|load| LoadCase::MeanPressure(load / nominal_area)));
-        given.extend(all(&self.gaps, &LoadCase::MeanGap));
-        given
+    /// The pressures on the nominal area, and so on the scan.
+    fn pressures(&self, nominal_area: f64) -> Vec<f64> {
+        let pressures = self.pressures.iter().flat_map(|list| &list.0).copied();
+        let loads = self.loads.iter().flat_map(|list| &list.0);
+        pressures.chain(loads.map(|load| load / nominal_area)).collect()
     }
 }
 
@@ -119,10 +107,10 @@ impl BemCommand {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load_scan(&self.scene, self.press.options(), self.compare)?
             .taken_at(&self.end)?;
-        let given = self.places.given(scene.file.scene.nominal_area);
+        let pressures = self.places.pressures(scene.file.scene.nominal_area);
         for (name, path) in [("--picture", &self.picture), ("--flow-picture", &self.flow_picture)] {
-            if path.is_some() && given.len() > 1 {
-                let text = format!("{name} draws one load, not {}", given.len());
+            if path.is_some() && pressures.len() > 1 {
+                let text = format!("{name} draws one load, not {}", pressures.len());
                 usage_error("bem", ErrorKind::ArgumentConflict, &text);
             }
         }
@@ -136,6 +124,7 @@ impl BemCommand {
             return self.seal(&scene, &bem);
         }
         let (file, name) = (&scene.file, &*scene.name);
+        let given: Vec<LoadCase> = pressures.iter().copied().map(LoadCase::MeanPressure).collect();
         let press = Press {
             name,
             refine: self.refine,
@@ -145,11 +134,6 @@ impl BemCommand {
         let watch = terminal()?;
         let fill = |sheet: &mut Sheet| match self.compare {
             true => {
-                let pressure = |given: &LoadCase| match given {
-                    LoadCase::MeanPressure(pressure) => Some(*pressure),
-                    _ => None,
-                };
-                let pressures: Vec<f64> = given.iter().filter_map(pressure).collect();
                 let scan = (file, name, &bem);
                 let quantities = compared(&self.quantities)?;
                 truth(scan, &self.models, &pressures, &quantities, self.refine, sheet, &watch)
@@ -173,7 +157,7 @@ impl BemCommand {
             }
         }
         if sheet.rows.is_empty() || interrupt::requested() {
-            interrupt::end(sheet.rows.len(), given.len());
+            interrupt::end(sheet.rows.len(), pressures.len());
         }
         Ok(())
     }
@@ -200,23 +184,13 @@ impl BemCommand {
             let hardness = bem.hardness(interface)?;
             let leaks = self.places.sealing_pressure || self.quantities.contains(&Quantity::Leak);
             let leaks = leaks.then_some(&elements);
-            draw(path, &contact_map::picture(bem, solution, hardness, leaks, &scene.name)?)?;
+            let map = contact_map::picture(bem, solution, hardness, leaks, &scene.name)?;
+            output::write_text(Some(path), &draw_map(&map)?)?;
         }
         if let Some(path) = &self.flow_picture {
-            draw(path, &contact_map::flow(bem, &elements, solution, &scene.name)?)?;
+            let map = contact_map::flow(bem, &elements, solution, &scene.name)?;
+            output::write_text(Some(path), &draw_map(&map)?)?;
         }
         Ok(())
     }
-}
-
-/// Writes a map as svg or, without labels, as png.
-pub(super) fn draw(path: &Path, map: &asperity_plot::Map) -> Result<()> {
-    if !path.extension().is_some_and(|end| end.eq_ignore_ascii_case("png")) {
-        return output::write_text(Some(path), &draw_map(map)?);
-    }
-    let png = map_png(map)?;
-    output::write(Some(path), |out| out.write_all(&png))?;
-    let (path, label, top) = (path.display(), &map.label, rounded(map.top));
-    output::print_results(&[format!("{path}: {label} from yellow to black at {top}")]);
-    Ok(())
 }

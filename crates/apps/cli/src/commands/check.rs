@@ -8,7 +8,6 @@ use asperity_answer::check_sheet;
 use clap::Args;
 
 use crate::input::args::{OutputArgs, model_id};
-use crate::input::distances::Length;
 use crate::input::numbers::{load_or_tension, pressure_or_tension};
 use crate::output;
 use crate::output::table::Format;
@@ -23,7 +22,7 @@ pub struct Check {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Model at the load or separation [default: ke; gw without a hardness]
+    /// Model at the load [default: ke; gw without a hardness]
     #[arg(long, value_name = "M", value_parser = model_id, requires = "place")]
     model: Option<String>,
     /// Load in N, or with a unit, for example 2kN; negative for tension (dmt, jkr)
@@ -32,9 +31,6 @@ pub struct Check {
     /// Load as a pressure on the nominal area, in Pa, or with a unit, for example 5MPa
     #[arg(long, value_name = "PA", value_parser = pressure_or_tension, group = "place")]
     pressure: Option<f64>,
-    /// Separation, in units of asperity_height_std (sigma), or with a unit, for example 2um
-    #[arg(long, value_name = "D", group = "place")]
-    separation: Option<Length<f64>>,
     #[command(flatten)]
     output: OutputArgs,
 }
@@ -42,10 +38,7 @@ pub struct Check {
 impl Check {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::open(&self.scene)?;
-        let separation =
-            |distance: Length<f64>| At::from(scene.file.separation(distance.value, distance.unit));
         let place = self.load.map(At::Load).or(self.pressure.map(At::Pressure));
-        let place = place.or(self.separation.map(separation));
         // If the model is refused, the findings of the scene give the reason.
         let answered = place.map(|place| -> Result<CheckedScene> {
             let middle = LoadedScene { file: scene.file.middle()?, name: scene.name.clone() };

@@ -2,23 +2,23 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 use asperity::bem::Bem;
 use asperity::{At, ContactModel, Quantity, Request, SeparationUnit, linspace};
 use asperity_answer::{
-    AnswerError, Beside, Cell, Inquiry, Sheet, at_values, best_and_nearest, models, one_model,
-    patch, solve, with_ranges,
+    AnswerError, Beside, Inquiry, Sheet, at_values, best_and_nearest, models, one_model, patch,
+    solve, with_ranges,
 };
-use asperity_scene::{SceneFile, column_of, read_measurements};
+use asperity_scene::{SceneFile, column_of};
 use clap::Args;
 use clap::error::ErrorKind;
 
 use crate::commands::pull_off::pull_off;
-use crate::input::args::{DrawnArgs, ModelArgs, PressArgs, model_id, patch_file};
+use crate::input::args::{DrawnArgs, ModelArgs, model_id, patch_file};
 use crate::input::usage_error;
 use crate::input::varied::Varied;
 use crate::interrupt::Terminal;
-use crate::output::plot::{POINTS, Plot};
+use crate::output::plot::Plot;
 use crate::output::table::csv;
 use crate::output::{print_results, show, write, write_text};
 use crate::scene::LoadedScene;
@@ -39,9 +39,6 @@ const OF_BODIES: [Quantity; 7] = [
 
 /// The column that tells scenes apart.
 const SCENE: &str = "scene";
-
-/// Columns of places, in the order in which measured points are drawn against them.
-const PLACES: [&str; 5] = ["load_N", "pressure_Pa", "film_m", "lambda", "separation_m"];
 
 /// Tabulate or plot quantities against separation, load or pressure
 #[derive(Debug, Args)]
@@ -82,24 +79,16 @@ pub struct Curve {
     #[arg(long, conflicts_with_all = ["errors", "all", "reference", "plan", "given"])]
     #[arg(conflicts_with_all = ["separations", "films", "ratios", "quantities", "plot"])]
     pull_off: bool,
-    /// Also draw the measured points of this file, whose columns have the names of this table: one
-    /// for the places (load_N, pressure_Pa, separation_m, ..) and the quantities
-    #[arg(long, value_name = "FILE.csv", requires = "plot")]
-    data: Option<PathBuf>,
     /// Also write the patch of curved bodies, of one model at one load: as csv pressures,
     /// separations, area fractions and the tangential flexibility of the layer, as svg a picture
     #[arg(long, value_name = "FILE.csv|svg", value_parser = patch_file(), requires = "given")]
     profile: Option<PathBuf>,
-    #[command(flatten)]
-    press: PressArgs,
     #[command(flatten)]
     output: DrawnArgs,
 }
 
 impl Curve {
     pub fn run(self) -> Result<()> {
-        let named = [&self.asked.models[..], self.reference.as_slice()].concat();
-        let press = self.press.of_models("curve", &named);
         let ids = &self.asked.models;
         if self.asked.is_nowhere() && ids.iter().any(|id| id == Bem::ID) {
             let text =
@@ -125,7 +114,7 @@ impl Curve {
                 // Above the messages about it.
                 print_results(&[format!("{name}:")]);
             }
-            let scene = LoadedScene::load_pressing(path, ids, press)?;
+            let scene = LoadedScene::load(path, ids)?;
             let plane = scene.file.plane();
             let (request, part) = self.rows(scene)?;
             match others {
@@ -188,7 +177,7 @@ impl Curve {
         write(Some(path), |out| csv(&all, out))
     }
 
-    /// The quantities against the places, with the measured points of a file.
+    /// The quantities against the places.
     fn picture(&self, sheet: &Sheet, request: &Request, from: &'static str) -> Result<String> {
         let drawn: Vec<String> = request.quantities.iter().map(|one| one.column()).collect();
         let mut x = match request.at.first() {
@@ -200,32 +189,6 @@ impl Curve {
             Some(At::Separation(s)) if s.unit == SeparationUnit::Metres => "separation_m",
             _ => "separation_over_sigma",
         };
-        let mut sheet = sheet.clone();
-        if let Some(path) = &self.data {
-            let columns = read_measurements(path)?.columns;
-            let measured = |name: &str| columns.iter().find(|(head, _)| head == name);
-            if measured(x).is_none() {
-                let is_one =
-                    |name: &&str| sheet.column(name).is_some() && !drawn.contains(&(*name).into());
-                let known: Vec<&str> = PLACES.into_iter().filter(is_one).collect();
-                let found = known.iter().find(|name| measured(name).is_some());
-                x = found.with_context(|| {
-                    format!("--data: the file has none of the columns {}", known.join(", "))
-                })?;
-            }
-            ensure!(
-                drawn.iter().any(|name| measured(name).is_some()),
-                "--data: the file has none of the plotted columns: {}",
-                drawn.join(", ")
-            );
-            for row in 0..measured(x).map_or(0, |(_, values)| values.len()) {
-                let value = |head: &String| measured(head)?.1[row];
-                let mut cells: Vec<Cell> =
-                    sheet.heads.iter().map(|head| value(head).into()).collect();
-                cells[0] = POINTS.into();
-                sheet.rows.push(cells);
-            }
-        }
         let columns: Vec<&str> = drawn.iter().map(String::as_str).collect();
         let varied = self.vary.as_ref().map(|varied| column_of(&varied.name));
         let mut curves = vec!["model", SCENE];
@@ -233,7 +196,7 @@ impl Curve {
             Some(varied) if request.at.len() == 1 => x = varied,
             varied => curves.extend(varied.as_deref()),
         }
-        Plot::new(&curves, x, &columns).from(from).svg(&sheet)
+        Plot::new(&curves, x, &columns).from(from).svg(sheet)
     }
 
     fn answer(

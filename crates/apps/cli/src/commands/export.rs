@@ -43,7 +43,7 @@ pub struct ExportCommand {
     #[arg(long, conflicts_with = "max_error")]
     solve: bool,
     /// Add nodes until the relative error of the interpolated pressure is below this bound, for
-    /// example 1% or 0.01
+    /// example 0.01
     #[arg(long, value_name = "X", value_parser = share_above_0)]
     max_error: Option<f64>,
     /// For abaqus and calculix: add the thermal conductance, against pressure or, for abaqus,

@@ -6,15 +6,13 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use asperity::bem::Bem;
-use asperity::fit::{Data, FitError, Fitted, MeasuredTable, Observation, Progress, rank};
+use asperity::fit::{Data, FitError, Fitted, Observation, Progress, rank};
 use asperity::{Described, Model};
 use asperity_answer::{Cell, Sheet};
 use asperity_scene::{Free, SceneError, read_measurements};
-use clap::{ArgGroup, Args};
+use clap::Args;
 
 use crate::input::args::{DrawnArgs, EndArgs, model_id};
-use crate::input::numbers::{load, pressure};
-use crate::input::target::{metres, target};
 use crate::input::valid;
 use crate::interrupt;
 use crate::output::fit_report::table;
@@ -25,20 +23,14 @@ use crate::scene::LoadedScene;
 
 /// Fit numbers of the scene to measurements, with intervals, and rank models
 #[derive(Debug, Args)]
-#[command(
-    group(ArgGroup::new("source").required(true)),
-    group(ArgGroup::new("place")),
-    override_usage = "asperity fit [OPTIONS] --free <KEY[=A:B]> <SCENE> <DATA>
-       asperity fit [OPTIONS] --free <KEY[=A:B]> --target <Q=V> --load <P> <SCENE>",
-    after_help = include_str!("../help/fit.txt")
-)]
+#[command(after_help = include_str!("../help/fit.txt"))]
 pub struct FitCommand {
     /// Scene file; `asperity init` writes an example
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// Measurements, a csv
-    #[arg(value_name = "DATA", group = "source")]
-    data: Option<PathBuf>,
+    /// Measurements, a csv; one row gives the scene in which a quantity has a value
+    #[arg(value_name = "DATA")]
+    data: PathBuf,
     #[command(flatten)]
     end: EndArgs,
     /// Free parameters, at least one, each with bounds if these are given
@@ -47,19 +39,6 @@ pub struct FitCommand {
     /// Models by id, as listed by `asperity list models` [default: ke; gw without a hardness]
     #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = model_id)]
     models: Vec<String>,
-    /// The value wanted of a quantity, instead of DATA, for example area_fraction=2%
-    #[arg(long, value_name = "Q=V", value_delimiter = ',', value_parser = target)]
-    #[arg(group = "source", requires = "place")]
-    target: Vec<(String, f64)>,
-    /// Load of the target, in N, or with a unit, for example 2kN
-    #[arg(long, value_name = "P", value_parser = load, group = "place", conflicts_with = "data")]
-    load: Option<f64>,
-    /// Load of the target as a pressure on the nominal area, in Pa, or with a unit
-    #[arg(long, value_name = "P", value_parser = pressure, group = "place", conflicts_with = "data")]
-    pressure: Option<f64>,
-    /// Separation of the target, with its unit, for example 2um
-    #[arg(long, value_name = "D", value_parser = metres, group = "place", conflicts_with = "data")]
-    separation: Option<f64>,
     #[command(flatten)]
     output: DrawnArgs,
 }
@@ -67,7 +46,8 @@ pub struct FitCommand {
 impl FitCommand {
     pub fn run(self) -> Result<()> {
         let scene = LoadedScene::load(&self.scene, &[])?.taken_at(&self.end)?;
-        let data = self.data(&scene)?;
+        let name = self.data.display().to_string();
+        let data = scene.file.data(&read_measurements(&self.data)?).context(name.clone())?;
         if self.models.iter().any(|id| id == Bem::ID) {
             let text = "--model bem: boundary elements are not fitted; `asperity list models` lists other models";
             valid("fit", Err(text))
@@ -78,7 +58,7 @@ impl FitCommand {
                 output::once(ids).iter().map(|id| scene.model(Some(id))).collect::<Result<_>>()?
             }
         };
-        let (fitted, interrupted) = self.fit(&scene, &data, &models)?;
+        let (fitted, interrupted) = self.fit(&scene, (&name, &data), &models)?;
         let done = fitted.len();
         if done > 0 {
             self.write(&scene, &data, &models, &rank(fitted))?;
@@ -93,7 +73,7 @@ impl FitCommand {
     fn fit(
         &self,
         scene: &LoadedScene,
-        data: &Data,
+        (name, data): (&str, &Data),
         models: &[Model],
     ) -> Result<(Vec<Fitted>, bool)> {
         interrupt::listen()?;
@@ -120,7 +100,7 @@ impl FitCommand {
                         SceneError::Input { .. } | SceneError::Fit(FitError::Parameter { .. }) => {
                             valid("fit", Err(format!("--free: {error}")))
                         }
-                        SceneError::Fit(_) => self.data_name(scene),
+                        SceneError::Fit(_) => name.into(),
                         _ => scene.name.clone(),
                     };
                     return Err(error).context(place);
@@ -128,7 +108,7 @@ impl FitCommand {
             }
         }
         if fitted.is_empty() {
-            bail!("{}: no model has values for the data", self.data_name(scene));
+            bail!("{name}: no model has values for the data");
         }
         Ok((fitted, false))
     }
@@ -147,29 +127,6 @@ impl FitCommand {
             Format::Json => output.write_text(&(serde_json::to_string_pretty(ranked)? + "\n")),
             _ => output.write(&table(ranked)),
         })
-    }
-
-    /// The file of the data, or of the scene where a target is given.
-    fn data_name(&self, scene: &LoadedScene) -> String {
-        self.data.as_ref().map_or(scene.name.clone(), |path| path.display().to_string())
-    }
-
-    fn data(&self, scene: &LoadedScene) -> Result<Data> {
-        if let Some(path) = &self.data {
-            let table = read_measurements(path)?;
-            return scene.file.data(&table).with_context(|| path.display().to_string());
-        }
-        let places = [
-            ("load_N", self.load),
-            ("pressure_Pa", self.pressure),
-            ("separation_m", self.separation),
-        ];
-        let places =
-            places.into_iter().filter_map(|(name, value)| Some((name.to_string(), value?)));
-        let columns = places.chain(self.target.iter().cloned());
-        let columns = columns.map(|(name, value)| (name, vec![Some(value)])).collect();
-        let data = scene.file.data(&MeasuredTable { columns, lines: vec![] });
-        Ok(valid("fit", data.map_err(|error| format!("--target: {error}"))))
     }
 }
 

@@ -7,18 +7,18 @@ use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
 use asperity::{At, Described, Model, SeparationUnit, Tolerance};
 use asperity_answer::{Amplitude, Sheet, Slip, history, of_joint, unloading, unloading_scan};
+use asperity_plot::draw_map;
 use clap::Args;
 use clap::error::ErrorKind;
 
-use super::bem;
-use crate::input::args::{DrawnArgs, EndArgs, PressArgs, file_ending, loads, model_id, tolerance};
+use crate::input::args::{DrawnArgs, EndArgs, file_ending, loads, model_id};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::terminal;
 use crate::output::plot::Plot;
-use crate::output::{contact_map, once};
+use crate::output::{self, contact_map, once};
 use crate::scene::LoadedScene;
 
 /// Shifts of a loop by default, and on a scan, where each is solved.
@@ -38,6 +38,9 @@ pub struct Joint {
     end: EndArgs,
     #[command(flatten)]
     place: Closed,
+    /// Take a new joint through the separations, loads or pressures as turning points
+    #[arg(long, conflicts_with = "retreat")]
+    history: bool,
     /// Unloading laws of the asperities: hertz, brake, etsion, or several
     #[arg(long = "law", value_name = "LAW", default_value = "hertz", value_delimiter = ',')]
     laws: Vec<UnloadingLaw>,
@@ -45,9 +48,9 @@ pub struct Joint {
     /// for example 0:100nm:11
     #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = retreats)]
     retreat: Option<Distances>,
-    /// Coefficient of friction, for example 0.2 or 20%: the joint slips
+    /// Coefficient of friction, for example 0.2: the joint slips
     #[arg(long, value_name = "MU", value_parser = friction, requires = "cycle")]
-    #[arg(conflicts_with_all = ["retreat", "history", "history_load", "history_pressure"])]
+    #[arg(conflicts_with_all = ["retreat", "history"])]
     friction: Option<f64>,
     #[command(flatten)]
     cycle: Cycle,
@@ -56,43 +59,26 @@ pub struct Joint {
     points: Option<usize>,
     /// Write which pixels stick (2) and slip (1) at the amplitude of one cycle, by bem; npy is a
     /// NumPy matrix
-    #[arg(long, value_name = "FILE.npy|svg|png", requires = "amplitude")]
-    #[arg(value_parser = file_ending(&["npy", "svg", "png"], "maps are written as npy, svg or png, and `inkscape map.svg -o map.pdf` makes pdf of one"))]
+    #[arg(long, value_name = "FILE.npy|svg", requires = "amplitude")]
+    #[arg(value_parser = file_ending(&["npy", "svg"], "maps are written as npy or svg"))]
     stick_map: Option<PathBuf>,
-    #[command(flatten)]
-    press: PressArgs,
-    /// Relative tolerance of every value, from 1e-15 to 0.1; of curved bodies from 1e-8, and
-    /// 1e-6 in place of the default
-    #[arg(long, value_name = "T", value_parser = tolerance, default_value = "1e-10")]
-    tolerance: Tolerance,
     #[command(flatten)]
     output: DrawnArgs,
 }
 
-/// The closest approach, the largest load, or turning points.
+/// The closest approach or the largest load; several with --friction and --history.
 #[derive(Debug, Args)]
 #[group(id = "place", required = true, multiple = false)]
 struct Closed {
     /// Closest approach, in units of asperity_height_std (sigma), or with a unit, for example 2um
-    #[arg(long, value_name = "D")]
+    #[arg(long, value_name = "D[,D]")]
     closest: Option<Distances>,
     /// Largest load, in N, or with a unit, for example 2kN
-    #[arg(long, value_name = "P", value_parser = all(load))]
+    #[arg(long, value_name = "P[,P]", value_parser = all(load))]
     load: Option<Numbers>,
     /// Largest load as a pressure on the nominal area, in Pa, or with a unit, for example 5MPa
-    #[arg(long, value_name = "P", value_parser = all(pressure))]
+    #[arg(long, value_name = "P[,P]", value_parser = all(pressure))]
     pressure: Option<Numbers>,
-    /// Turning points as separations, in sigma, or with a unit, for example 2um
-    #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
-    history: Option<Distances>,
-    /// Turning points as loads in N, or with a unit, for example 2kN
-    #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
-    #[arg(value_parser = all(load))]
-    history_load: Option<Numbers>,
-    /// Turning points as pressures on the nominal area, in Pa, or with a unit, for example 5MPa
-    #[arg(long, value_name = "v,v", conflicts_with = "retreat")]
-    #[arg(value_parser = all(pressure))]
-    history_pressure: Option<Numbers>,
 }
 
 /// The amplitude of a cycle: a shift, or tangential forces.
@@ -118,38 +104,30 @@ fn retreats(text: &str) -> Result<Distances, String> {
 impl Closed {
     /// The closest approaches, largest loads or turning points; prints the findings there.
     fn all(&self, scene: &LoadedScene, model: &Model) -> Vec<At> {
-        let height_std = scene.file.scene.surface.asperity_height_std;
-        let mut places = vec![];
-        for (name, list) in [("closest", &self.closest), ("history", &self.history)] {
-            let Some(list) = list else { continue };
-            warn_unit(name, &list.value, list.unit, height_std);
+        let mut places: Vec<At> = loads(&self.load, &self.pressure).collect();
+        if let Some(list) = &self.closest {
+            let height_std = scene.file.scene.surface.asperity_height_std;
+            warn_unit("closest", &list.value, list.unit, height_std);
             let place = |value: &f64| At::from(scene.file.separation(*value, list.unit));
             places.extend(list.value.iter().map(place));
         }
-        let pressures = self.pressure.iter().chain(&self.history_pressure);
-        places.extend(loads(self.load.iter().chain(&self.history_load), pressures));
         scene.report(scene.file.judge(model, None, &places));
         places
-    }
-
-    fn turns(&self) -> bool {
-        self.history.is_some() || self.history_load.is_some() || self.history_pressure.is_some()
     }
 }
 
 impl Joint {
     pub fn run(self) -> Result<()> {
         let ids = self.model.as_slice();
-        let press = self.press.of_models("joint", ids);
-        let scene = LoadedScene::load_pressing(&self.scene, ids, press)?.taken_at(&self.end)?;
+        let scene = LoadedScene::load(&self.scene, ids)?.taken_at(&self.end)?;
         let model = scene.one_or_usual(self.model.as_deref())?;
         let (laws, is_scan) = (once(&self.laws), model.id() == Bem::ID);
         if is_scan && laws != [UnloadingLaw::Hertz] {
             let text = "bem follows the contact itself; leave out --law";
             usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
-        if is_scan && self.place.turns() {
-            let text = "bem opens from one load; use --load, --pressure or --closest";
+        if is_scan && self.history {
+            let text = "bem opens from one load; leave out --history";
             usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
         if self.friction.is_some() && laws.len() > 1 {
@@ -162,11 +140,11 @@ impl Joint {
             let text = "--stick-map needs --model bem and one load";
             usage_error("joint", ErrorKind::ArgumentConflict, text);
         }
-        let subject = scene.subject(&model, self.tolerance);
+        let subject = scene.subject(&model, Tolerance::default());
         if let Some(friction) = self.friction {
             return self.slip(&scene, &Slip { subject, law: laws[0], friction }, &places);
         }
-        if self.place.turns() {
+        if self.history {
             let (sheet, ()) = scene.answer(|sheet| history(&subject, &laws, &places, sheet))?;
             let from = scene.file.plane();
             let columns = ["force_N", "stiffness_N_per_m"];
@@ -174,7 +152,7 @@ impl Joint {
             return self.output.write(&sheet, || plot.svg(&sheet));
         }
         let [closest] = places[..] else {
-            let text = "give one closest approach, --load or --pressure; --history, --history-load and --history-pressure take several";
+            let text = "give one closest approach, --load or --pressure; --history takes several";
             usage_error("joint", ErrorKind::TooManyValues, text)
         };
         let retreats = self.retreat.as_ref().map(|list| (&list.value[..], list.unit));
@@ -205,7 +183,8 @@ impl Joint {
             if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy")) {
                 contact_map::write(path, &[&states], scan.map().shape())?;
             } else {
-                bem::draw(path, &contact_map::stick_picture(&scan, &states, &scene.name))?;
+                let map = contact_map::stick_picture(&scan, &states, &scene.name);
+                output::write_text(Some(path), &draw_map(&map)?)?;
             }
         }
         drop(watch);

@@ -60,15 +60,8 @@ impl List {
     }
 }
 
-/// The tags of the column `equations`, as the crates' READMEs define them.
-const TAGS: [(&str, &str); 3] = [
-    ("seen", "read in public text or code that quotes the paper"),
-    ("derived", "proved or checked numerically, not read in the paper"),
-    ("recalled", "from general knowledge of the literature, the paper was not available"),
-];
-
-/// The columns of a terminal, by their places; the others are too wide.
-const NARROW: [usize; 6] = [0, 1, 2, 3, 6, 4];
+/// The first columns, as a terminal has them; the others are too wide.
+const NARROW: usize = 5;
 
 /// A model as it is listed.
 struct Listed {
@@ -107,7 +100,7 @@ fn models(word: &str, narrow: bool) -> Result<Sheet> {
             let ending = id.strip_prefix(source.id).filter(|ending| !ending.is_empty());
             sheet.result(format!("{}: {text}", ending.unwrap_or(&id)));
         }
-        let cells: [(&str, &str); 8] = [
+        let cells: &[(&str, &str)] = &[
             ("model", &id),
             ("name", &name),
             ("year", &source.year.to_string()),
@@ -117,15 +110,10 @@ fn models(word: &str, narrow: bool) -> Result<Sheet> {
             ("equations", &source.provenance.to_string()),
             ("variant", &variant.join("; ")),
         ];
-        let shown = if narrow { NARROW.map(|k| cells[k]).to_vec() } else { cells.to_vec() };
-        let (heads, row): (Vec<&str>, Vec<&str>) = shown.into_iter().unzip();
+        let shown = if narrow { &cells[..NARROW] } else { cells };
+        let (heads, row): (Vec<&str>, Vec<&str>) = shown.iter().copied().unzip();
         sheet.under(&[&heads]);
         sheet.add(&row, [Cell::BLANK; 0]);
-    }
-    if narrow {
-        for (tag, meaning) in TAGS {
-            sheet.result(format!("equations {tag}: {meaning}"));
-        }
     }
     Ok(sheet)
 }
@@ -157,29 +145,23 @@ fn sources(word: &str) -> Result<Sheet> {
     Ok(sheet)
 }
 
-/// The models of this id and its variants; without any, those with all words in their name, authors
-/// or year, and then those on other asperities, whose variant is described as well.
+/// The models of this id and its variants; without any, those with all words in their name,
+/// authors, year or variant.
 fn like(word: &str) -> Result<Vec<Listed>> {
     let wanted = word.trim().to_lowercase();
     let of_id = |model: &Listed| {
         let rest = model.id.strip_prefix(&*wanted);
         rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('-'))
     };
-    let has_word = |model: &Listed| {
+    let has_words = |model: &Listed| {
         let Listed { name, source, variant, .. } = model;
         let text = format!("{name} {} {} {}", source.authors, source.year, variant.join(" "));
         let text = text.to_lowercase();
         wanted.split_whitespace().all(|word| text.contains(word))
     };
     let mut all = all();
-    let is_equal = |model: &Listed| !model.id.ends_with("-random") && !model.id.ends_with("-pairs");
-    let any = |is: &dyn Fn(&Listed) -> bool| all.iter().any(is);
-    let (ids, equal) = (any(&of_id), any(&|model| is_equal(model) && has_word(model)));
-    all.retain(|model| match (ids, equal) {
-        _ if wanted.is_empty() => true,
-        (true, _) => of_id(model),
-        (_, equal) => has_word(model) && (!equal || is_equal(model)),
-    });
+    let is_id = all.iter().any(of_id);
+    all.retain(|model| if is_id { of_id(model) } else { has_words(model) });
     ensure!(
         !all.is_empty(),
         "no model has the id {word:?}, or these words in its name, authors, year or variant; `asperity list models` lists all"

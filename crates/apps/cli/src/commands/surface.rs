@@ -66,7 +66,7 @@ pub struct Surface {
     /// Treat the surface as periodic beyond its edges
     #[arg(long)]
     periodic: bool,
-    /// Largest accepted share of missing points, for example 0.2 or 20%
+    /// Largest accepted share of missing points, for example 0.2
     #[arg(long, value_name = "SHARE", value_parser = share, default_value = "0.1")]
     max_missing: f64,
     /// Fill missing points, up to 5 % of all, from their surroundings (harmonic: each point is the
@@ -143,7 +143,7 @@ impl Surface {
         if self.text.header {
             return self.header();
         }
-        let (working, keys) = (progress("surface"), self.keys());
+        let (working, keys) = (progress("surface"), self.keys()?);
         if self.scales.is_requested() {
             let path = self.files.first().context("a file was required")?;
             let table = self.scales.table(&read(path, &keys)?, &keys)?;
@@ -213,11 +213,11 @@ impl Surface {
 
     /// The lines of the headers of the files.
     fn header(&self) -> Result<()> {
-        let mut table = Sheet::new(&["line", "text", "understood_as"]);
+        let (keys, mut table) = (self.keys()?, Sheet::new(&["line", "text", "understood_as"]));
         for path in &self.files {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             let bytes = std::fs::read(path).with_context(|| path.display().to_string())?;
-            let lines = asperity_topography::read_header(&name, &bytes, &self.keys().options);
+            let lines = asperity_topography::read_header(&name, &bytes, &keys.options);
             for HeaderLine { line, text, meaning, .. } in lines.map_err(with_option)? {
                 table.add(
                     &[&line.to_string(), &text, meaning.unwrap_or_default()],
@@ -251,51 +251,8 @@ impl Surface {
         names.collect::<Vec<_>>().join(" and ")
     }
 
-    /// The options as keys of a scene.
-    fn keys(&self) -> MeasuredKeys {
-        let Self { unit, pixel_size, max_missing, .. } = *self;
-        let (channel, text) = (self.channel.clone(), self.text.clone());
-        let options = ReadOptions {
-            unit,
-            pixel_size,
-            max_missing: Some(max_missing),
-            channel,
-            units: text.units,
-            columns: text.columns,
-            skip_lines: text.skip_lines,
-            missing: text.missing,
-            factor: text.factor,
-            delimiter: text.delimiter,
-        };
-        let mut keys = MeasuredKeys::default();
-        keys.options = options;
-        keys.estimator = self.estimator;
-        keys.level = self.level;
-        (keys.filter, keys.smooth) = (self.filter, self.smooth);
-        keys.periodic = self.periodic;
-        (keys.fill_missing, keys.despike) = (self.fill_missing, self.despike);
-        keys
-    }
-
-    /// The scans, or the sum of two that are aligned: names, as read, and prepared.
-    fn scans(&self, keys: &MeasuredKeys) -> Result<Vec<(String, Topography, Topography)>> {
-        let scan = |path: &PathBuf| {
-            let (name, raw) = (path.display().to_string(), read(path, keys)?);
-            let surface = keys.prepare(raw.clone()).with_context(|| name.clone())?;
-            Ok((name, raw, surface))
-        };
-        let scans = self.files.iter().map(scan).collect::<Result<Vec<_>>>()?;
-        let (Some(alignment), [one, two]) = (self.aligned, &scans[..]) else { return Ok(scans) };
-        let name = self.names(Path::as_os_str);
-        let raw = one.1.facing(&two.1, alignment).with_context(|| name.clone())?;
-        let surface = one.2.facing(&two.2, alignment).with_context(|| name.clone())?;
-        Ok(vec![(name, raw, surface)])
-    }
-
-    /// The template's scene on this surface, with the same reading options.
-    fn scene_text(&self, path: &Path, statistics: &Statistics) -> Result<String> {
-        let files = self.files.iter().map(|file| beside(path, file).map(Value::from));
-        let files = files.collect::<Result<Vec<_>>>()?;
+    /// The options as the keys of a scene that are set by them, with their values.
+    fn given(&self) -> Vec<(&'static str, Value)> {
         let distance = |given: Distance| {
             let text = given.to_string();
             text.parse::<f64>().map_or(Value::from(text), Value::from)
@@ -303,10 +260,6 @@ impl Surface {
         let pixel_size = |[across, down]: [Distance; 2]| match across == down {
             true => distance(across),
             false => vec![distance(across), distance(down)].into(),
-        };
-        let aligned = |alignment| match alignment {
-            Alignment::AsRead => Value::from(true),
-            Alignment::Mirrored => "mirrored".into(),
         };
         let usual = ReadOptions::MAX_MISSING;
         let max_missing = Some(self.max_missing).filter(|share| share.total_cmp(&usual).is_ne());
@@ -334,7 +287,39 @@ impl Surface {
             ("fill_missing", true_where(self.fill_missing)),
             ("despike", true_where(self.despike)),
         ];
-        let given = given.into_iter().filter_map(|(key, value)| Some((key, value?)));
+        given.into_iter().filter_map(|(key, value)| Some((key, value?))).collect()
+    }
+
+    /// The same as a scene reads them.
+    fn keys(&self) -> Result<MeasuredKeys> {
+        let keys = self.given().into_iter().map(|(key, value)| (key.to_string(), value));
+        Ok(toml::Table::from_iter(keys).try_into()?)
+    }
+
+    /// The scans, or the sum of two that are aligned: names, as read, and prepared.
+    fn scans(&self, keys: &MeasuredKeys) -> Result<Vec<(String, Topography, Topography)>> {
+        let scan = |path: &PathBuf| {
+            let (name, raw) = (path.display().to_string(), read(path, keys)?);
+            let surface = keys.prepare(raw.clone()).with_context(|| name.clone())?;
+            Ok((name, raw, surface))
+        };
+        let scans = self.files.iter().map(scan).collect::<Result<Vec<_>>>()?;
+        let (Some(alignment), [one, two]) = (self.aligned, &scans[..]) else { return Ok(scans) };
+        let name = self.names(Path::as_os_str);
+        let raw = one.1.facing(&two.1, alignment).with_context(|| name.clone())?;
+        let surface = one.2.facing(&two.2, alignment).with_context(|| name.clone())?;
+        Ok(vec![(name, raw, surface)])
+    }
+
+    /// The template's scene on this surface, with the same reading options.
+    fn scene_text(&self, path: &Path, statistics: &Statistics) -> Result<String> {
+        let files = self.files.iter().map(|file| beside(path, file).map(Value::from));
+        let files = files.collect::<Result<Vec<_>>>()?;
+        let aligned = |alignment| match alignment {
+            Alignment::AsRead => Value::from(true),
+            Alignment::Mirrored => "mirrored".into(),
+        };
+        let given = self.given();
         let mut each =
             files.into_iter().map(|file| [("file", file)].into_iter().chain(given.clone()));
         let mut keys: Vec<_> = each.next().into_iter().flatten().collect();

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use asperity::bem::{Bem, BemOptions, Continuation};
-use asperity::recommended::BEM;
 use asperity::{At, Described, Model, Quantity, Request, Separation, SeparationUnit, Tolerance};
 use asperity_answer::{ALL_MODELS, Sheet};
 use asperity_scene::SceneFile;
@@ -15,7 +14,7 @@ use clap::{ArgAction, Args};
 
 use crate::input::distances::{Distances, metre, warn_unit};
 use crate::input::lists::{Numbers, all};
-use crate::input::numbers::{load_or_tension, number, pressure_or_tension, relative_error};
+use crate::input::numbers::{load_or_tension, number, pressure_or_tension};
 use crate::input::usage_error;
 use crate::output::table::{self, Format};
 use crate::output::{self, once};
@@ -59,7 +58,9 @@ pub struct ModelArgs {
     #[arg(long = "pressure", value_name = "A:B:N[:log]|v,v", value_parser = all(pressure_or_tension))]
     #[arg(action = ArgAction::Append, group = "given")]
     pressures: Vec<Numbers>,
-    #[arg(long = "quantity", value_name = "Q", value_delimiter = ',', help = quantities_help())]
+    /// Quantities, as listed by `asperity list quantities` [default: force, area and tangent; of
+    /// curved bodies those of their patch]
+    #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Relative tolerance of every value, from 1e-15 to 0.1; of curved bodies from 1e-8, and
     /// 1e-6 in place of the default
@@ -100,16 +101,6 @@ impl PressArgs {
     /// The same as options of a scene.
     pub fn options(self) -> BemOptions {
         BemOptions { boundary: self.boundary, elastic: self.elastic }
-    }
-
-    /// The same, where one of these models is bem.
-    pub fn of_models(self, command: &str, ids: &[String]) -> BemOptions {
-        let options = self.options();
-        if options != BemOptions::default() && !ids.iter().any(|id| id == Bem::ID) {
-            let text = "--boundary and --elastic need --model bem";
-            usage_error(command, ErrorKind::ArgumentConflict, text);
-        }
-        options
     }
 }
 
@@ -282,20 +273,6 @@ impl DrawnArgs {
     }
 }
 
-fn quantities_help() -> String {
-    let names = |of: fn(Quantity) -> bool| {
-        let listed = Quantity::ALL.into_iter().filter(|q| of(*q));
-        listed.map(|quantity| quantity.to_string()).collect::<Vec<_>>().join(", ")
-    };
-    format!(
-        "Quantities: {}; for asperities of one radius with circular contacts also {}; of {BEM} {}; of the film {}",
-        names(|q| !q.needs_circles() && q.is_of_models()),
-        names(Quantity::needs_circles),
-        names(Quantity::is_of_map),
-        names(Quantity::is_flow_factor),
-    )
-}
-
 /// The id of a model of this project.
 pub fn model_id(name: &str) -> Result<String, String> {
     // bem is not in the registry, because it needs the scan of a scene.
@@ -342,7 +319,6 @@ pub fn patch_file() -> impl TypedValueParser<Value = PathBuf> {
 }
 
 /// A relative tolerance.
-pub fn tolerance(text: &str) -> Result<Tolerance, String> {
-    let tolerance = if text.contains('%') { relative_error(text)? } else { number(text)? };
-    Tolerance::new(tolerance).map_err(|e| e.to_string())
+fn tolerance(text: &str) -> Result<Tolerance, String> {
+    Tolerance::new(number(text)?).map_err(|e| e.to_string())
 }

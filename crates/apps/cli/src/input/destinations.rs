@@ -13,8 +13,6 @@ use crate::output::is_standard;
 
 /// The files that will be written.
 static DESTINATIONS: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
-/// Options that name files to read.
-const READ: [&str; 2] = ["with", "data"];
 
 /// Ends the program if an output is an input.
 pub fn check(program: &Command, matches: &ArgMatches) {
@@ -25,16 +23,12 @@ pub fn check(program: &Command, matches: &ArgMatches) {
     let named = matches.ids().map(|id| id.as_str()).flat_map(|id| {
         paths(id).filter(|file| !is_standard(Some(file))).map(move |file| (id, place(file)))
     });
-    let is_written = |id: &str| options.contains(&id) && !READ.contains(&id);
-    let (written, read): (Vec<_>, Vec<_>) = named.partition(|(id, _)| is_written(id));
+    // Options name files to write, the other arguments files to read.
+    let (written, read): (Vec<_>, Vec<_>) = named.partition(|(id, _)| options.contains(id));
     for (id, file) in &read {
         if let Some((output, _)) = written.iter().find(|(_, to)| to == file) {
-            let input = match options.contains(id) {
-                true => format!("--{id}"),
-                false => format!("<{}>", id.to_uppercase()),
-            };
-            let output = output.replace('_', "-");
-            let text = format!("{input} and --{output} name the same file; choose two names");
+            let (input, output) = (id.to_uppercase(), output.replace('_', "-"));
+            let text = format!("<{input}> and --{output} name the same file; choose two names");
             usage_error(command, ErrorKind::ArgumentConflict, &text);
         }
     }

@@ -40,17 +40,6 @@ impl FromStr for Distances {
     }
 }
 
-impl FromStr for Length<f64> {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text.contains([',', ':']) {
-            true => Err(format!("{text:?} is more than one value; write one, for example 2um")),
-            false => Self::read(text, |text, number| number(text)),
-        }
-    }
-}
-
 impl FromStr for Length<Span> {
     type Err = String;
 

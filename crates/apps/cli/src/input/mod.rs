@@ -5,7 +5,6 @@ pub mod destinations;
 pub mod distances;
 pub mod lists;
 pub mod numbers;
-pub mod target;
 pub mod varied;
 
 use std::ffi::OsString;

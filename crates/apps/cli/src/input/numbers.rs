@@ -44,18 +44,10 @@ fn not_0(value: f64) -> Result<f64, String> {
     }
 }
 
-/// A whole number, which may be written 1e3.
+/// A whole number.
 pub fn whole(text: &str) -> Result<u64, String> {
-    let text = text.trim();
-    // Above 2^53, not every whole number is an f64.
-    let from_f64 = |value: f64| {
-        let is_whole = value.fract() == 0.0 && (0.0..=(1u64 << 53) as f64).contains(&value);
-        is_whole.then_some(value as u64)
-    };
-    let exact = text.parse().ok();
-    exact
-        .or_else(|| text.parse().ok().and_then(from_f64))
-        .ok_or_else(|| format!("{text:?} is not a whole number such as 1000 or 1e3"))
+    let wrong = |_| format!("{text:?} is not a whole number such as 1000");
+    text.trim().parse().map_err(wrong)
 }
 
 /// A number of values: a whole number from 2 to `most`.
@@ -78,44 +70,22 @@ pub fn number(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A coefficient of friction, "20%" or "0.2", or the angle of friction, "11.3deg".
+/// A coefficient of friction.
 pub fn friction(text: &str) -> Result<f64, String> {
-    coefficient_of_friction(slope(text)?).map_err(|error| error.to_string())
+    coefficient_of_friction(positive_number(text)?).map_err(|error| error.to_string())
 }
 
-/// A share up to 1, "5%" or "0.05"; a plain number above 1 is ambiguous and refused.
+/// A share from 0 to 1.
 pub fn share(text: &str) -> Result<f64, String> {
-    match relative_error(text)? {
-        share if share <= 1.0 => Ok(share),
-        _ if text.contains('%') => Err("a share is at most 100%".into()),
-        share => {
-            Err(format!("{share} means {} %; write {share}% or {}", 100.0 * share, share / 100.0))
-        }
-    }
-}
-
-/// A relative error, "1%" or "0.01".
-pub fn relative_error(text: &str) -> Result<f64, String> {
-    match text.trim().strip_suffix('%') {
-        Some(percent) => number(percent).map(|percent| percent / 100.0),
-        None => number(text),
+    match number(text)? {
+        share if (0.0..=1.0).contains(&share) => Ok(share),
+        other => Err(format!("{} is not a share from 0 to 1", shortest_digits(other))),
     }
 }
 
 /// A share above 0, likewise.
 pub fn share_above_0(text: &str) -> Result<f64, String> {
     share(text).and_then(positive)
-}
-
-/// A slope above 0: a number, or in per cent or degrees.
-pub fn slope(text: &str) -> Result<f64, String> {
-    match text.trim().strip_suffix("deg").or(text.trim().strip_suffix('\u{b0}')) {
-        Some(degrees) => match positive_number(degrees)? {
-            degrees if degrees < 90.0 => Ok(degrees.to_radians().tan()),
-            _ => Err(format!("{text} is not below 90 degrees")),
-        },
-        None => relative_error(text).and_then(positive),
-    }
 }
 
 /// A finite number above 0.

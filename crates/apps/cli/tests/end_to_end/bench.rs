@@ -133,11 +133,6 @@ impl Run {
         let text = |bytes| String::from_utf8(bytes).expect("the program writes UTF-8");
         Self { code: output.status.code(), out: text(output.stdout), messages: text(output.stderr) }
     }
-
-    /// The results in sentences: lines of standard error without a code.
-    pub fn results(&self) -> Vec<&str> {
-        self.messages.lines().filter(|line| !line.contains("]: ")).collect()
-    }
 }
 
 /// The cells of one column of a csv.

@@ -22,9 +22,7 @@ True
 from importlib.metadata import version as _version
 
 from asperity._advice import Answer as Answer
-from asperity._advice import Plan as Plan
 from asperity._advice import check as check
-from asperity._advice import plan as plan
 from asperity._arguments import Scenes as Scenes
 from asperity._asperity import Contact as Contact
 from asperity._asperity import ContactWarning as ContactWarning
@@ -38,13 +36,8 @@ from asperity._asperity import UnsupportedFormat as UnsupportedFormat
 from asperity._asperity import random_surface as random_surface
 from asperity._asperity import template as template
 from asperity._bem import BemContacts as BemContacts
-from asperity._bem import BemSlip as BemSlip
-from asperity._bem import BemUnloading as BemUnloading
 from asperity._bem import bem as bem
-from asperity._bem import bem_slip as bem_slip
-from asperity._bem import bem_unloading as bem_unloading
 from asperity._bem import sealing_pressure as sealing_pressure
-from asperity._bem import truth as truth
 from asperity._curve import Curve as Curve
 from asperity._fit import Estimate as Estimate
 from asperity._fit import Fit as Fit
@@ -62,7 +55,6 @@ from asperity._records import Asperity as Asperity
 from asperity._records import Body as Body
 from asperity._records import Interface as Interface
 from asperity._records import Surface as Surface
-from asperity._surfaces import Picture as Picture
 from asperity._surfaces import read as read
 from asperity._sweep import sample as sample
 from asperity._sweep import sweep as sweep

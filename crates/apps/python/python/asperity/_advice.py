@@ -1,32 +1,18 @@
-"""The check of a scene, the plan of a request, and what is known best."""
+"""The check of a scene, and what is known best."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from html import escape
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import Rows, floats, in_si, method_of, one_number, one_scene, place
+from asperity._arguments import floats, in_si, method_of, one_number, place
 from asperity._asperity import Scene
 from asperity._model import Model, as_model
 from asperity._table import Table
-
-@dataclass(frozen=True)
-class Plan:
-    """The integrals of a request; ``print`` it."""
-
-    #: Of each integral the ``law``, the force's for the tangent, the ``quantities`` it yields, its
-    #: ``method``, the fewest and most ``terms`` of a value that is a sum, and ``samples`` of the law.
-    steps: tuple[dict[str, Any], ...]
-    text: str = field(repr=False)
-
-    def __str__(self) -> str:
-        return self.text
 
 
 class Answer(Table):
@@ -66,14 +52,6 @@ class Answer(Table):
         behind = {"by": self.by, "widest": self.widest, "also": self.also}
         texts += [f"{name:<8}{text}" for name, text in behind.items() if text]
         return "\n".join([*texts, *map(str, self.findings)])
-
-    def _repr_html_(self) -> str:
-        head, *rows = [[escape(cell) for cell in line] for line in self.lines]
-        cells = ["".join(f"<td>{cell}</td>" for cell in row) for row in rows]
-        heads = "".join(f"<th>{cell}</th>" for cell in head)
-        body = "".join(f"<tr>{row}</tr>" for row in cells)
-        behind = "".join(f"<p>{escape(text)}</p>" for text in (self.by, self.widest, self.also) if text)
-        return f"<table><tr>{heads}</tr>{body}</table>{behind}"
 
 
 @method_of(Scene)
@@ -141,35 +119,6 @@ def _solved(contacts: Table) -> tuple[list[tuple[float, dict[str, float]]], list
         for k, pressure in enumerate(contacts["pressure_Pa"])
     ]
     return rows, [finding.code for finding in contacts.findings]
-
-
-def plan(
-    model: str | Model,
-    scene: Scene,
-    separation: npt.ArrayLike | None = None,
-    quantities: str | Sequence[str] = ("force",),
-    rtol: float = 1e-10,
-    separation_unit: str = "asperity_height_std",
-    *,
-    load: npt.ArrayLike | None = None,
-    pressure: npt.ArrayLike | None = None,
-) -> Plan:
-    """The integrals of a request, their terms and samples, and the regimes left out.
-
-    >>> import asperity
-    >>> scene = asperity.Scene.parse(asperity.template())
-    >>> print(asperity.plan("ke", scene, [0.0, 2.0]))
-    ke, gaussian heights, 2 rows from a separation of 0 asperity_height_std to a separation of 2 asperity_height_std, relative tolerance 1e-10
-      force from the force law: polynomials in the separation
-        12 terms a value; 320 samples of the law, once
-        elastic: sum of powers
-        elastic-plastic: sum of powers
-        elastic-plastic 2: sum of powers
-        plastic: sum of powers
-    """
-    rows = Rows(one_scene(scene, "plan"), *place(separation_unit, separation=separation, load=load, pressure=pressure))
-    text, found = _asperity.plan((as_model(model), rows, quantities, rtol))
-    return Plan(tuple(found["steps"]), text.rstrip("\n"))
 
 
 def check(

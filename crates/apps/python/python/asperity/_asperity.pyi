@@ -43,7 +43,6 @@ __all__ = [
     "materials",
     "column_of",
     "model_ids",
-    "plan",
     "profile",
     "pull_off",
     "quantities",
@@ -53,9 +52,6 @@ __all__ = [
     "separations",
     "shares",
     "template",
-    "truth",
-    "bem_slip",
-    "bem_unloading",
     "checked",
     "derived",
     "interface_of",
@@ -123,7 +119,6 @@ class Scene:
     def vary(self, **columns: npt.ArrayLike) -> Scenes: ...
     def at(self, end: str) -> Scene: ...
     asperity: Final[Asperity]
-    asperities: Final[float]
     plasticity_index: Final[float]
     def answer(
         self,
@@ -210,9 +205,6 @@ class Topography:
     def level(self, form: str | None = None) -> Topography: ...
     def fill(self) -> Topography: ...
     def despiked(self) -> Topography: ...
-    @property
-    def despiked_points(self) -> int: ...
-    def outliers(self) -> dict[str, Any]: ...
     def filter(self, cutoff: _Float) -> Topography: ...
     def smooth(self, cutoff: _Float) -> Topography: ...
     def report(
@@ -221,22 +213,13 @@ class Topography:
         smooth: _Float | None = None,
         cutoff: _Float | None = None,
     ) -> dict[str, Any]: ...
-    def plot(
-        self,
-        level: str | None = None,
-        smooth: _Float | None = None,
-        cutoff: _Float | None = None,
-        title: str = "",
-    ) -> Any: ...
     def to_x3p(self, path: str | PathLike[str]) -> None: ...
-    def summit_density(self) -> tuple[tuple[float, ...], tuple[float, ...]]: ...
 
 @disjoint_base
 class Engine:
     def __new__(cls, model: str | Callable[..., Any], options: Mapping[str, Any]) -> Self: ...
     id: Final[str]
     name: Final[str]
-    variant: Final[str]
     _citation: Final[tuple[str, int, str, str]]
     def bibtex(self) -> str: ...
     def _law(
@@ -341,7 +324,6 @@ class JointTable:
     def step(
         self, separation: npt.ArrayLike, closest: npt.ArrayLike | None = ...
     ) -> tuple[_Floats, _Floats, _Floats]: ...
-    def history(self, separation: npt.ArrayLike) -> tuple[_Floats, _Floats]: ...
     ends: Final[tuple[float, float]]
     law: Final[str]
     scene: Final[Scene]
@@ -391,7 +373,6 @@ def separations(
     asked: _Asked, unit: str, all: bool, stop: bool
 ) -> tuple[_Floats | list[_Floats], _Failures]: ...
 def shares(asked: _Asked) -> dict[str, _Floats]: ...
-def plan(asked: _Asked) -> tuple[str, _Fields]: ...
 def profile(scene: Scene, load: _Float, model: str, rtol: _Float) -> _Table: ...
 def best(
     scene: Scene,
@@ -406,24 +387,7 @@ def bem(
     keep: bool,
     quantities: str | Iterable[str] | None,
 ) -> tuple[_Table, list[_Floats] | None, list[int]]: ...
-def bem_unloading(
-    pressed: _Pressed,
-    given: tuple[str, Sequence[_Float]],
-    retreats: Sequence[_Float] | None,
-    points: int,
-) -> tuple[_Fields, float, str]: ...
-def bem_slip(
-    pressed: _Pressed, given: tuple[str, _Float], friction: _Float, cycle: tuple[_Float, int]
-) -> tuple[_Table, _Floats, list[int]]: ...
 def sealing_pressure(pressed: _Pressed, samples: int) -> _Table: ...
-def truth(
-    scene: Scene,
-    pressures: Sequence[_Float],
-    pressing: _Pressing,
-    engines: Sequence[Engine] | None,
-    quantities: str | Iterable[str],
-    refine: bool,
-) -> _Table: ...
 def fit(
     scene: Scene,
     data: str | Sequence[tuple[str, Sequence[float | None]]],

@@ -1,4 +1,4 @@
-"""Boundary elements on scans: contacts, unloading, slip, and models compared with them."""
+"""Boundary elements on scans: contacts and leaks."""
 
 from __future__ import annotations
 
@@ -8,9 +8,8 @@ from typing import Literal
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import Floats, floats, in_si, one_number, place
+from asperity._arguments import Floats, floats, place
 from asperity._asperity import Scene, Topography
-from asperity._model import Model, as_models
 from asperity._records import Interface
 from asperity._table import Table
 
@@ -39,7 +38,6 @@ def bem(
     *,
     pressure: npt.ArrayLike | None = None,
     load: npt.ArrayLike | None = None,
-    gap: npt.ArrayLike | None = None,
     interface: Interface | None = None,
     level: str | None = None,
     elastic: bool = False,
@@ -54,9 +52,9 @@ def bem(
     surface : Topography or Scene
         A scan; or a scene whose file names a scan ([surface] file = ...), with the levelling and
         filter of that file.
-    pressure, load, gap : array_like
-        One of them: mean pressures [Pa], loads [N] on the nominal area of the scene or, without a
-        scene, on the area of the scan, or mean gaps [m].
+    pressure, load : array_like
+        One of them: mean pressures [Pa], or loads [N] on the nominal area of the scene or, without a
+        scene, on the area of the scan.
     interface : Interface
         The two bodies; for a Topography.
     level : "plane", "quadratic", "mean" or "none"
@@ -95,7 +93,7 @@ def bem(
     >>> contacts.pressures.shape, contacts["area_fraction"].round(3), contacts["patches"]
     ((2, 192, 192), array([0.021, 0.126]), array([72., 72.]))
     """
-    name, given = place(pressure=pressure, load=load, gap=gap)
+    name, given = place(pressure=pressure, load=load)
     values = floats(given, name).ravel().tolist()
     scan = surface, interface, level, (boundary, elastic)
     found, kept, pixels = _asperity.bem(scan, (name, values), maps, quantities or None)
@@ -141,156 +139,3 @@ def sealing_pressure(
         raise ValueError(f"samples is {samples}: 2 to 1000 were required")
     scan = surface, interface, level, (boundary, elastic)
     return Table(*_asperity.sealing_pressure(scan, samples))
-
-
-class BemUnloading(Table):
-    """The opening of a scan from its greatest load; made by ``bem_unloading``.
-
-    A row for each ``retreat_m`` of distant points, by which the mean gap grows unless the boundary is
-    free: ``load_N``, ``pressure_Pa``, ``area_fraction``, ``mean_gap_m`` from the mean plane of the
-    first surface, ``mean_open_gap_m`` of the pixels out of contact, and ``stiffness_N_per_m`` of the
-    contact held as it is.
-    """
-
-    #: The retreat at which the last pixel parts [m].
-    last_contact: float
-    #: What lies beyond the edges of the scan: "periodic", "periodic-part" or "free".
-    boundary: str
-
-
-def bem_unloading(
-    surface: Topography | Scene,
-    *,
-    pressure: float | str | None = None,
-    load: float | str | None = None,
-    gap: float | str | None = None,
-    retreat: npt.ArrayLike | None = None,
-    points: int = 21,
-    interface: Interface | None = None,
-    level: str | None = None,
-    elastic: bool = False,
-    boundary: Boundary | None = None,
-) -> BemUnloading:
-    """The contact of a scan as it opens from its greatest load, solved by boundary elements.
-
-    Yielding has flattened the surface; on the way back the contact shrinks elastically.
-
-    Parameters
-    ----------
-    pressure, load, gap : float or str
-        The greatest load, by one of them.
-    retreat : array_like
-        Retreats from there [m]; by default ``points`` of them to the end of contact.
-    points : int
-        The number of default retreats.
-    surface, interface, level, elastic, boundary
-        As in ``bem``.
-
-    Examples
-    --------
-    >>> import asperity, numpy as np
-    >>> wave = np.cos(2 * np.pi * 6 * np.arange(96) / 96)
-    >>> scan = asperity.Topography(1e-7 * wave * wave[:, None], dx=2e-6, unit="m", periodic=True)
-    >>> soft = asperity.Interface(116e9, 0.3, hardness=5e8)
-    >>> path = asperity.bem_unloading(scan, interface=soft, pressure=1e8, points=3)
-    >>> bool((np.diff(path["pressure_Pa"]) < 0).all())
-    True
-    """
-    name, given = place(pressure=pressure, load=load, gap=gap)
-    greatest = name, [one_number(name, given)]
-    if not 2 <= points <= 100_000:
-        raise ValueError(f"points is {points}: 2 to 100000 were required")
-    retreats = None if retreat is None else floats(in_si(retreat, "m"), "retreat").ravel().tolist()
-    scan = surface, interface, level, (boundary, elastic)
-    columns, last_contact, edges = _asperity.bem_unloading(scan, greatest, retreats, points)
-    path = BemUnloading(columns, [], [])
-    vars(path).update(last_contact=last_contact, boundary=edges)
-    return path
-
-
-def truth(
-    scene: Scene,
-    *,
-    pressure: npt.ArrayLike | None = None,
-    load: npt.ArrayLike | None = None,
-    elastic: bool = False,
-    boundary: Boundary | None = None,
-    models: str | Model | Sequence[str | Model] | None = None,
-    quantities: str | Sequence[str] = "stiffness",
-    refine: bool = False,
-) -> Table:
-    """Models compared with boundary elements on a scan.
-
-    The file of the scene names a scan ([surface] file = ...). Every pressure has a row for "bem" and
-    one for every model: all that the scene allows, or the given ones, also of your own. Area and mean
-    gap are compared, and ``quantities``: "stiffness", that of first loading, and
-    "unloading-stiffness", as which conductances deviate. Deviations are relative to bem; that of the
-    mean gap is over the rms height of the scan. A quantity that a model lacks is NaN, and so are all
-    numbers of a model that needs more than the nominal area, or a pressure above 1.5 times the
-    hardness; a finding has the reason. The results say whether the table behind ``Scene.answer``
-    agrees. With ``refine`` the rows "bem-half-grid" show the effect of the grid. A pressure without
-    a solution has no rows and a warning.
-    """
-    name, value = place(load=load, pressure=pressure)
-    pressures = floats(value, name).ravel()
-    if name == "load":
-        pressures = pressures / scene.nominal_area
-    engines = None if models is None else as_models(models)
-    how = boundary, elastic
-    return Table(*_asperity.truth(scene, pressures.tolist(), how, engines, quantities, refine))
-
-
-class BemSlip(Table):
-    """A steady cycle of a scan in shear, and where it sticks; made by ``bem_slip``.
-
-    A row for each ``shift_m`` from -amplitude to +amplitude: the tangential ``force_N`` of the first
-    loading, that on the way ``back_N`` from +amplitude and ``forth_N`` from -amplitude; the ``loss_J``
-    of a cycle with this shift as its amplitude, and the ``loss_factor``, the loss over pi times force
-    times shift, 4/pi in gross slip. NaN before the shift 0 for what belongs to the first loading.
-    """
-
-    #: 1 where a pixel slips at the amplitude, 2 where it sticks, 0 without contact.
-    states: Floats
-
-
-def bem_slip(
-    surface: Topography | Scene,
-    *,
-    friction: float,
-    amplitude: float | str,
-    load: float | str | None = None,
-    pressure: float | str | None = None,
-    points: int = 21,
-    interface: Interface | None = None,
-    level: str | None = None,
-    elastic: bool = False,
-    boundary: Boundary | None = None,
-) -> BemSlip:
-    """Partial slip of a scan under a constant load, by boundary elements.
-
-    From its normal solutions (Ciavarella, Jaeger): elastic bodies of like materials, without
-    adhesion. Exact for circular contacts.
-
-    Parameters
-    ----------
-    friction : float
-        The coefficient of friction.
-    amplitude : float or str
-        The largest shift [m].
-    load, pressure : float or str
-        The constant load [N] on the nominal area, or pressure on it [Pa]; one of them.
-    points : int
-        The number of shifts.
-    surface, interface, level, elastic, boundary
-        As in ``bem``; with two bodies or an equivalent_shear_modulus.
-    """
-    if not 2 <= points <= 100_000:
-        raise ValueError(f"points is {points}: 2 to 100000 were required")
-    axis, number = place(load=load, pressure=pressure)
-    given = axis, one_number(axis, number)
-    cycle = one_number("amplitude", in_si(amplitude, "m")), points
-    scan = surface, interface, level, (boundary, elastic)
-    found, states, pixels = _asperity.bem_slip(scan, given, friction, cycle)
-    slip = BemSlip(*found)
-    vars(slip).update(states=states.reshape(pixels))
-    return slip

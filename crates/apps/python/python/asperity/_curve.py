@@ -11,17 +11,11 @@ import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import AXES, LOADS, Aspect, Floats, Rows, SceneLike, unit_in
+from asperity._arguments import AXES, LOADS, Aspect, Floats, Rows, SceneLike
 from asperity._asperity import Engine
 
 if TYPE_CHECKING:
     import pandas as pd
-
-
-def _is_wide(values: npt.NDArray[Any]) -> bool:
-    """Whether numbers need a logarithmic axis: positive, over more than a factor of 30."""
-    numbers = values[np.isfinite(values)]
-    return bool(numbers.size and numbers.min() > 0 and numbers.max() > 30 * numbers.min())
 
 
 def _text(table: dict[str, npt.NDArray[Any]]) -> str:
@@ -158,36 +152,6 @@ class Curve:
         heads = _asperity.quantities(self._columns)
         filled = {heads[q]: np.ma.filled(v, np.nan).ravel() for q, v in self._columns.items()}
         return table | filled
-
-    def plot(self, ax: Any = None, quantity: str | None = None, **line: Any) -> Any:
-        """Draws a quantity (the first, unless one is named) against separation, load or pressure
-        on matplotlib axes, and returns them; ``line`` is passed to ``Axes.plot``. Needs matplotlib.
-
-        >>> import asperity, numpy as np
-        >>> scene = asperity.Scene.parse(asperity.template())
-        >>> curve = asperity.model("ke").solve(scene, load=np.geomspace(1, 1e3, 20), quantities="area")
-        >>> curve.plot(marker=".").get_ylabel()
-        'area (m2)'
-        """
-        if ax is None:
-            import matplotlib.pyplot as plt
-
-            _, ax = plt.subplots(layout="constrained")
-        name = quantity or self.quantities[0]
-        x = np.broadcast_to(self._rows.given, self.shape)
-        y = self[name]
-        line.setdefault("label", self.model)
-        ax.plot(x.T if x.ndim > 1 else x, y.T if y.ndim > 1 else y, **line)
-        if _is_wide(np.asarray(x)):
-            ax.set_xscale("log")
-        if _is_wide(np.ma.filled(y, np.nan)):
-            ax.set_yscale("log")
-        _, place, of = AXES[self._rows.axis]
-        ax.set_xlabel(f"{place} / {of}" if "_" in of else f"{place} ({of})")
-        ((name, head),) = _asperity.quantities(name.replace("_", "-")).items()
-        unit = unit_in(head, name)
-        ax.set_ylabel(f"{name} ({unit})" if unit else name)
-        return ax
 
     def to_csv(self, path: str | PathLike[str] | None = None) -> str:
         """The text of a table with a row for each value and units in its head: every digit, blank for

@@ -39,9 +39,8 @@ class AsperityLaws(Protocol):
     interferences [m] at which a formula changes, jumps, bends or has a cusp (a sequence, or a dict
     of sequences by quantity); ``regimes``, a name for each range between the kinks, for shares; and
     on the class ``name``, and ``force_monotone = False`` if the force may fall as ``w`` grows:
-    without it ``Model.check`` reports such a force; ``uses_density = True`` if the laws depend on
-    ``asperity.density``, which is None otherwise; and ``asperities = "pairs"`` or ``"random"`` for
-    these laws between two rough surfaces, or on asperities of different radii.
+    without it ``Model.check`` reports such a force; and ``uses_density = True`` if the laws depend on
+    ``asperity.density``, which is None otherwise.
 
     Declare every kink. Values with an undeclared kink take more time, and mostly keep the tolerance;
     but a jump, kink or cusp between the sampled interferences escapes the bounds of
@@ -74,7 +73,6 @@ class Laws:
         self.own_stiffness = hasattr(factory, "stiffness")
         self.force_monotone = bool(getattr(factory, "force_monotone", True))
         self.uses_density = bool(getattr(factory, "uses_density", False))
-        self.asperities = str(getattr(factory, "asperities", "equal"))
 
     def __call__(self, one: Asperity, quantity: str) -> tuple[Law, list[float], list[str]]:
         """The law of an asperity, its kinks [m], ascending, and the names of the ranges between them."""
@@ -385,8 +383,6 @@ class Model(Engine):
         >>> force, stiffness, closest = table.step(2.1e-6, closest)  # unloading
         >>> f"{force:.2f} N, {stiffness:.2e} N/m, from {closest:.1e} m"
         '137.00 N, 6.83e+08 N/m, from 2.0e-06 m'
-        >>> table.history([2e-6, 2.1e-6, 2e-6])[0].round(2)
-        array([216.94, 137.  , 216.94])
         """
         scene, unit = one_scene(scene, "joint_table"), checked_unit(separation_unit)
         given = in_si([deepest, open], "m")

@@ -3,25 +3,11 @@
 from __future__ import annotations
 
 from os import PathLike, fspath
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from asperity._asperity import Topography, UnsupportedFormat
-
-
-class Picture(str):
-    """The text of an SVG picture, which notebooks show."""
-
-    __slots__ = ()
-
-    def _repr_svg_(self) -> str:
-        return str(self)
-
-    def save(self, path: str | PathLike[str]) -> None:
-        """Writes the picture to a file."""
-        Path(path).write_text(self, encoding="utf-8")
 
 
 def read(

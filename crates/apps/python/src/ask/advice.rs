@@ -1,19 +1,19 @@
-//! Checks of scenes and answers, plans of requests, and what is known best.
+//! Checks of scenes and answers, and what is known best.
 
 use std::collections::BTreeMap;
 
 use asperity::{
     At, Check, Code, ContactError, ContactModel, Finding, Findings, Model, Quantity, Request,
-    Scene, Severity,
+    Severity,
 };
 use asperity_answer::{Answer, Cell, Sheet, check_sheet, lines, patch, solve, solved_contact};
 use pyo3::prelude::*;
 
-use crate::ask::asked::{Arguments, Asked};
+use crate::ask::asked::Asked;
 use crate::ask::long::run_interruptible;
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
-use crate::convert::{Object, Quantities, object, refused, tolerance, value_error};
+use crate::convert::{Quantities, refused, tolerance, value_error};
 use crate::model::engine::{Engine, without};
 use crate::scene::SceneFile;
 use crate::tables::{Table, table, warn_of};
@@ -127,24 +127,6 @@ fn check_scenes(rows: &Rows, asperities: bool) -> Findings {
         _ => found.from_origin(format!("{scenes} of {count} scenes")),
     };
     found.into_iter().map(counted).collect()
-}
-
-/// The single scene of rows, and the request at them.
-fn scene_and_request(asked: &Asked) -> PyResult<(&Scene, Request)> {
-    let Asked { rows, request, .. } = asked;
-    match rows.one_scene() {
-        Some(scene) => Ok((scene, request.clone().at((0..rows.len()).map(|row| rows.at(row))))),
-        None => Err(value_error("many scenes were given: one scene was required")),
-    }
-}
-
-/// The plan of rows on one scene: its text and its steps.
-#[pyfunction]
-pub(crate) fn plan<'py>(py: Python<'py>, asked: Arguments<'py>) -> PyResult<(String, Object<'py>)> {
-    let asked = Asked::new(asked)?;
-    let (scene, request) = scene_and_request(&asked)?;
-    let plan = asked.engine().run(py, || asked.model.compile(scene, &request)?.plan(&request))?;
-    Ok((plan.to_string(), object(py, &plan)?))
 }
 
 /// What is solved for an answer: boundary elements at its loads, or solutions that were made, each

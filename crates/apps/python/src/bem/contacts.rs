@@ -1,24 +1,19 @@
-//! Contacts of a scan under loads and on its way back, and models compared with them.
+//! Contacts of a scan under loads, and its sealing pressures.
 
-use asperity::bem::BemError;
-use asperity::linspace;
-use asperity_answer::{Press, Sheet, Watch, compared, sealing, truth_of};
+use asperity_answer::{Press, Sheet, sealing};
 use numpy::PyArray1;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
-use super::scan::{Arguments, Pressed, Pressing, load_cases, options};
-use crate::ask::asked::arrays;
+use super::scan::{Arguments, Pressed, load_cases};
 use crate::ask::long::run_interruptible;
-use crate::convert::{Quantities, refused, value_error};
-use crate::model::engine::{Engines, answered, models_among, without};
-use crate::scene::SceneFile;
+use crate::convert::Quantities;
+use crate::model::engine::without;
 use crate::tables::{Table, table, warn_of};
 
 /// The package's `Table`; pressures and gaps of all pixels, if kept; rows, columns of the scan.
 type Contacts<'py> = (Table<'py>, Option<[Bound<'py, PyArray1<f64>>; 2]>, [usize; 2]);
 
-/// Solves contacts at mean pressures, loads or mean gaps.
+/// Solves contacts at mean pressures or loads.
 #[pyfunction]
 pub(crate) fn bem<'py>(
     py: Python<'py>,
@@ -62,75 +57,5 @@ pub(crate) fn sealing_pressure<'py>(
         run_interruptible(py, |stop| sealing((&file, &bem), samples, &mut sheet, stop).map(drop))?;
     found.map_err(|error| without(&sheet, error))?;
     warn_of(py, &file, &sheet)?;
-    table(py, &sheet)
-}
-
-/// Solves the contact at a mean pressure, load or mean gap, and after retreats \[m\] from it: those
-/// given, or `points` of them to the end of contact. The columns, the retreat of the last contact
-/// and what lies beyond the edges.
-#[pyfunction]
-pub(crate) fn bem_unloading<'py>(
-    py: Python<'py>,
-    pressed: Arguments<'py>,
-    given: (String, Vec<f64>),
-    retreats: Option<Vec<f64>>,
-    points: usize,
-) -> PyResult<(Bound<'py, PyDict>, f64, &'static str)> {
-    let Pressed { bem, file } = Pressed::new(pressed)?;
-    let scene = &file.scene;
-    let elements = bem.elements(&scene.interface).map_err(refused)?;
-    let area = scene.nominal_area;
-    let greatest = load_cases(given, area).remove(0);
-    let (retreats, end, found) = run_interruptible(py, |stop| -> Result<_, BemError> {
-        let path = elements.unloading_from(greatest)?;
-        let end = path.last_contact();
-        let retreats = retreats.unwrap_or_else(|| linspace(0.0, end, points));
-        if stop.is_stopped() {
-            return Err(BemError::Cancelled);
-        }
-        let found = path.at_retreats(&retreats, |_| stop.step(""));
-        Ok((retreats, end, found.into_iter().collect::<Result<Vec<_>, _>>()?))
-    })?
-    .map_err(value_error)?;
-    let stiffness = found.iter().map(|contact| match &contact.stiffness {
-        Some(Ok(stiffness)) => Ok(stiffness * area),
-        Some(Err(error)) => Err(value_error(error)),
-        None => Ok(f64::NAN),
-    });
-    let open = found.iter().map(|contact| contact.mean_open_gap.unwrap_or(f64::NAN));
-    let columns = [
-        ("retreat_m", retreats),
-        ("load_N", found.iter().map(|contact| contact.mean_pressure * area).collect()),
-        ("pressure_Pa", found.iter().map(|contact| contact.mean_pressure).collect()),
-        ("area_fraction", found.iter().map(|contact| contact.area).collect()),
-        ("mean_gap_m", found.iter().map(|contact| contact.mean_gap).collect()),
-        ("mean_open_gap_m", open.collect()),
-        ("stiffness_N_per_m", stiffness.collect::<PyResult<_>>()?),
-    ];
-    Ok((arrays(py, columns)?, end, bem.continuation().name()))
-}
-
-/// Models of a scene, or these, compared with boundary elements on its scan.
-#[pyfunction]
-pub(crate) fn truth<'py>(
-    py: Python<'py>,
-    scene: &SceneFile,
-    pressures: Vec<f64>,
-    pressing: Pressing,
-    engines: Engines,
-    quantities: Quantities,
-    refine: bool,
-) -> PyResult<Table<'py>> {
-    let file = &*scene.0;
-    let Pressed { bem, .. } = Pressed::of_scene(py, file.clone(), options(pressing)?)?;
-    let quantities = compared(&quantities.0).map_err(value_error)?;
-    let mut sheet = Sheet::default();
-    let models = models_among(file, &engines, &[], &mut sheet)?;
-    let of = (file, "truth", &bem);
-    let found = run_interruptible(py, |stop| {
-        truth_of(of, &models, &pressures, &quantities, refine, &mut sheet, stop)
-    })?;
-    answered(found, &engines, &sheet)?;
-    warn_of(py, file, &sheet)?;
     table(py, &sheet)
 }

@@ -1,5 +1,4 @@
-//! Boundary elements on a scan, and models compared with them.
+//! Boundary elements on a scan.
 
 pub(crate) mod contacts;
 mod scan;
-pub(crate) mod slip;

@@ -20,7 +20,7 @@ pub(super) struct Pressed {
 pub(super) type Arguments<'py> = (Object<'py>, Option<Object<'py>>, Option<String>, Pressing);
 
 /// What lies beyond the edges, and whether the hardness is ignored.
-pub(crate) type Pressing = (Option<String>, bool);
+type Pressing = (Option<String>, bool);
 
 impl Pressed {
     /// The scan of a scene, or a topography with the two bodies and the form to remove.
@@ -65,7 +65,7 @@ impl Pressed {
 
     /// The scan of a scene with these options in front of its own; warns of edges that do not
     /// match.
-    pub(super) fn of_scene(
+    fn of_scene(
         py: Python<'_>,
         file: asperity_scene::SceneFile,
         given: BemOptions,
@@ -78,7 +78,7 @@ impl Pressed {
 }
 
 /// Options by the names of their values.
-pub(super) fn options((boundary, elastic): Pressing) -> PyResult<BemOptions> {
+fn options((boundary, elastic): Pressing) -> PyResult<BemOptions> {
     let named = |name: String| {
         let required = "\"periodic\", \"periodic-part\" or \"free\" was required";
         let unknown = || value_error(format!("boundary is {name:?}: {required}"));
@@ -87,10 +87,9 @@ pub(super) fn options((boundary, elastic): Pressing) -> PyResult<BemOptions> {
     Ok(BemOptions { boundary: boundary.map(named).transpose()?, elastic })
 }
 
-/// Mean gaps \[m\], loads \[N\] on `area` \[m^2\] or pressures \[Pa\], as they are named.
+/// Loads \[N\] on `area` \[m^2\] or pressures \[Pa\], as they are named.
 pub(super) fn load_cases((name, values): (String, Vec<f64>), area: f64) -> Vec<LoadCase> {
     let case = |value| match &*name {
-        "gap" => LoadCase::MeanGap(value),
         "load" => LoadCase::MeanPressure(value / area),
         _ => LoadCase::MeanPressure(value),
     };

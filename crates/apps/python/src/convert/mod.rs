@@ -67,7 +67,7 @@ pub(crate) fn warn_unless(
 /// The text of a warning, which filters of warnings find by its code.
 pub(crate) fn warning(found: &Finding) -> String {
     let words = |advice: Advice| match advice {
-        Advice::CompareCutOffs => "compare cut-offs with Topography.filtered".into(),
+        Advice::CompareCutOffs => "compare cut-offs with Topography.smooth".into(),
         Advice::Despike => "Topography.despiked or despike=True replaces them".into(),
         other => other.to_string(),
     };

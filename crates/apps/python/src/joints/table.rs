@@ -123,24 +123,6 @@ impl JointTable {
         PyTuple::new(py, separation.each(py, usize::MAX, one, raise)?)
     }
 
-    /// Force [N] and stiffness [N/m] of a new joint along a sequence of separations.
-    fn history<'py>(&self, separation: &Object<'py>) -> PyResult<Bound<'py, PyTuple>> {
-        let py = separation.py();
-        let given = Given::Many(floats(separation, "separation")?.readonly());
-        let mut closest = f64::INFINITY;
-        let before = |number: &f64| {
-            let deeper = closest.min(*number);
-            std::mem::replace(&mut closest, deeper)
-        };
-        let states: Vec<f64> = given.numbers()?.iter().map(before).collect();
-        let one = |k: usize, separation| {
-            let [force, stiffness, _] = self.one(separation, states[k])?;
-            Ok([force, stiffness])
-        };
-        let raise = |error| self.model.get().raise(py, error);
-        PyTuple::new(py, given.each(py, usize::MAX, one, raise)?)
-    }
-
     #[expect(clippy::type_complexity, reason = "the arguments of a call")]
     fn __getnewargs__(&self) -> (&Py<Engine>, &Py<SceneFile>, (f64, f64), &str, f64, &str) {
         let Self { model, scene, law, separation_unit, .. } = self;

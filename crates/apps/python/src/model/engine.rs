@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use asperity::bem::Bem;
-use asperity::{Asperities, Citation, Code, ContactError, Model, Quantity, testkit};
-use asperity_answer::{AnswerError, Sheet, models};
+use asperity::{Citation, ContactError, Model, Quantity, testkit};
+use asperity_answer::{AnswerError, Sheet};
 use asperity_scene::{ModelOptions, SceneFile};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -33,8 +33,7 @@ impl Engine {
     fn new(model: &Object<'_>, options: BTreeMap<String, KeyValue>) -> PyResult<Self> {
         let Ok(id) = model.extract() else {
             let raised = Raised::default();
-            let asperities = asperities_of(model)?;
-            let model = Model::new(PythonModel::new(model, raised.clone())?).on(asperities);
+            let model = Model::new(PythonModel::new(model, raised.clone())?);
             return Ok(Self(Kind::Python { model, raised }));
         };
         let given = options.into_iter().map(|(name, value)| (name, value.into())).collect();
@@ -87,16 +86,6 @@ impl Engine {
     fn cited(&self) -> PyResult<(&'static str, u16, &'static str, String)> {
         let Citation { authors, year, title, provenance, .. } = self.citation()?;
         Ok((authors, year, title, provenance.to_string()))
-    }
-
-    /// How a variant differs from the model before the dash of its id; empty for others.
-    ///
-    /// >>> import asperity
-    /// >>> asperity.model("at-additive").variant
-    /// 'every contact counts once in the sums'
-    #[getter]
-    fn variant(&self) -> PyResult<String> {
-        Ok(self.alone()?.map_or(String::new(), |model| model.variant().join("; ")))
     }
 
     /// The law of one asperity of a scene at interferences [m], in SI units.
@@ -167,14 +156,6 @@ impl Engine {
         }
     }
 
-    /// The model's id and its own options: options of other models may differ between scenes.
-    fn own_options(&self, options: ModelOptions) -> PyResult<impl PartialEq> {
-        let (model, all) = (self.with(options, None)?, self.options(options)?);
-        let own = model.options();
-        let unknown = own.is_none().then_some(all);
-        Ok((model.id().to_string(), own, unknown))
-    }
-
     /// The model on a scene; options of the model replace the scene's.
     pub(crate) fn on(&self, file: &SceneFile) -> PyResult<Model> {
         self.with(file.spec.options, Some(file))
@@ -198,11 +179,9 @@ impl Engine {
         }
         let first = files.first().map_or_else(ModelOptions::default, |file| file.spec.options);
         for (k, file) in files.iter().enumerate() {
-            if file.spec.options != first
-                && self.own_options(file.spec.options)? != self.own_options(first)?
-            {
+            if file.spec.options != first {
                 return Err(value_error(format!(
-                    "scene {k} has other options than scene 0: give the options to asperity.model"
+                    "scene {k} has other options than scene 0: give all the same, or the options to asperity.model"
                 )));
             }
         }
@@ -237,55 +216,6 @@ impl Engine {
             Kind::Named { .. } => None,
         }
     }
-}
-
-/// The asperities that a class of laws names: "equal" ones, unless it says "random" or "pairs".
-fn asperities_of(laws: &Object<'_>) -> PyResult<Asperities> {
-    let named: String = laws.getattr("asperities")?.extract()?;
-    match named.as_str() {
-        "equal" => Ok(Asperities::Equal),
-        "random" => Ok(Asperities::Random),
-        "pairs" => Ok(Asperities::Pairs),
-        _ => {
-            let required = "\"equal\", \"random\" or \"pairs\" was required";
-            Err(value_error(format!("asperities is {named:?}: {required}")))
-        }
-    }
-}
-
-/// Models that are compared.
-pub(crate) type Engines = Option<Vec<Py<Engine>>>;
-
-/// These models on a scene or, without any, all that can be compared with boundary elements and
-/// have the quantities; the sheet names the others.
-pub(crate) fn models_among(
-    file: &SceneFile,
-    engines: &Engines,
-    quantities: &[Quantity],
-    sheet: &mut Sheet,
-) -> PyResult<Vec<Model>> {
-    let Some(engines) = engines else {
-        let all = models(file, &[], SceneFile::models_beside_bem, quantities, sheet);
-        return all.map_err(value_error);
-    };
-    let model = |engine: &Py<Engine>| {
-        drop(engine.get().raised().and_then(Raised::take));
-        engine.get().on(file)
-    };
-    engines.iter().map(model).collect()
-}
-
-/// The answer in a sheet, or the exception of the user's own code where models
-/// [among](models_among) these lack a value.
-pub(crate) fn answered(
-    found: Result<(), AnswerError>,
-    engines: &Engines,
-    sheet: &Sheet,
-) -> PyResult<()> {
-    let lacks = found.is_err() || sheet.findings.iter().any(|one| one.code == Code::NoValue);
-    let mut engines = engines.iter().flatten().filter(|_| lacks);
-    let raised = engines.find_map(|engine| engine.get().raised()?.take());
-    raised.map_or_else(|| found.map_err(|error| without(sheet, error)), Err)
 }
 
 /// The error of an answer, with the reasons why its sheet has no values.

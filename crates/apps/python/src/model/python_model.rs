@@ -39,11 +39,6 @@ impl Raised {
         message
     }
 
-    /// The last exception, once.
-    pub(crate) fn take(&self) -> Option<PyErr> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).take().map(|(_, error)| error)
-    }
-
     /// The exception that caused a refusal, if it is the last one kept.
     pub(crate) fn exception(&self, py: Python<'_>, refusal: &ContactError) -> Option<PyErr> {
         let (ContactError::Refused { reason, .. }

@@ -241,12 +241,6 @@ impl SceneFile {
         records::record(py, &self.0.scene.asperity().map_err(refused)?)
     }
 
-    /// The number of asperities: density times nominal area.
-    #[getter]
-    fn asperities(&self) -> PyResult<f64> {
-        Ok(self.0.scene.surface.asperity_density * self.nominal_area()?)
-    }
-
     /// The square root of height_std over the critical interference.
     #[getter]
     fn plasticity_index(&self) -> PyResult<f64> {
