@@ -129,29 +129,10 @@ fn good_scenes_have_no_findings() {
 }
 
 /// Observed mistakes of users: the inputs, their numbers, and parts of the messages.
-const MISTAKES: [(&str, &str); 14] = [
-    ("asperity_height_std 1", "asperity_height_std, like um"),
-    ("asperity_radius 0.2", "asperity_radius, like mm"),
-    ("asperity_radius 0.02, asperity_density 2e9", "asperity_radius, like mm"),
-    ("asperity_density 200", "asperity_density, like 1/mm2"),
-    ("nominal_area 100", "nominal_area, like mm2"),
-    ("equivalent_modulus 115, hardness 2, no shear", "equivalent_modulus, like GPa, hardness"),
-    ("hardness 2", "hardness, like GPa"),
-    ("equivalent_modulus 115e3", "equivalent_modulus, like MPa"),
-    ("equivalent_modulus 115", "equivalent_modulus, like GPa"),
-    ("equivalent_modulus 115e3, hardness 2000, no shear", "equivalent_modulus, like MPa, hardness"),
-    (
-        "asperity_radius 200, asperity_density 2e-4, asperity_height_std 1",
-        "asperity_height_std, like um, asperity_density, like 1/um2",
-    ),
-    ("hardness 240e9", "hardness is 2.4e11 Pa"),
-    ("hardness 2000", "hardness, like MPa"),
-    ("equivalent_shear_modulus 24", "equivalent_shear_modulus, like GPa"),
-];
-
 #[test]
 fn mistakes_of_users_are_reported_with_the_unit() {
-    for (name, words) in MISTAKES {
+    for line in include_str!("mistakes.csv").lines().skip(1) {
+        let (name, words) = line.split_once("; ").unwrap();
         let mut scene = machined().swap_remove(0).1;
         for input in name.split(", ") {
             let (field, number) = input.split_once(' ').unwrap();
