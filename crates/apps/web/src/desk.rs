@@ -248,6 +248,8 @@ fn reply(answer: Result<Value, Refusal>) -> String {
 
 #[cfg(test)]
 mod tests {
+    use asperity::{ContactModel, Quantity, Request};
+
     use super::*;
     use crate::files::MOST_FILE;
 
@@ -288,17 +290,32 @@ mod tests {
     }
 
     #[test]
-    fn curved_bodies_are_answered_and_drawn() {
+    fn curved_bodies_are_answered_as_by_the_library() {
         let flat = asperity_scene::template();
         let area = flat.lines().find(|line| line.starts_with("nominal_area")).unwrap();
         let text = flat.replace(area, "") + "\n[curvature]\nradius = \"10 mm\"\n";
         let mut desk = Desk::default();
         let shown = call(&mut desk, json!({ "call": "show", "text": text }))["ok"].clone();
         assert!(shown["error"].is_null(), "{shown}");
+        let ids: Vec<&str> =
+            shown["views"].as_array().unwrap().iter().map(|v| v["id"].as_str().unwrap()).collect();
+        let place = |id: &str| ids.iter().position(|known| *known == id).unwrap();
         let ask = |desk: &mut Desk, load: Value| {
             call(desk, json!({ "call": "answer", "models": ["ke", "jkr"], "load": load }))
         };
         let found = ask(&mut desk, json!({ "text": "50 N" }))["ok"].clone();
+        let file = asperity_scene::parse(&text, std::path::Path::new(".")).unwrap();
+        let asked = [Quantity::Approach, Quantity::Area, Quantity::PeakPressure];
+        let request = Request::new(asked).at_loads([50.0]);
+        let wanted = file.model("ke").unwrap().solve(&file.scene, &request).unwrap();
+        for quantity in asked {
+            for row in [&found["rows"][0], &found["answer"]["row"]] {
+                let cell = &row["cells"][place(&quantity.to_string())];
+                let own: f64 = cell["digits"].as_str().unwrap().parse().unwrap();
+                let right = wanted.values(quantity).unwrap()[0];
+                assert!((own / right - 1.0).abs() < 1e-9, "{quantity}: {own} {right}");
+            }
+        }
         let first = &found["answer"]["first"];
         assert_eq!(
             (&first[3]["name"], &found["answer"]["model"]),
