@@ -7,6 +7,8 @@ from pathlib import Path
 
 from mpmath import mp, mpf, pi, quad, sqrt
 
+from hard_cases import Scene, coefficient, law as hard_law
+
 mp.dps = 40
 here = Path(__file__).parent
 scenes = {row["case"]: row for row in csv.DictReader(open(here / "models_scenes.csv"))}
@@ -22,35 +24,18 @@ TAILS = {
 }
 
 
-def loading(model, x, n):
-    """F/F_c and A/A_c beyond x = 1, as far as these rows need them."""
-    if x <= 1:
-        return x**1.5, x
-    if model == "ceb":
-        return 3 * x - 1.5, 2 * x - 1
-    if model == "af":
-        k, y = sqrt(n["ratio"]), x - 1
-        return x**1.5 - k * y**1.5 + 3 * n["ratio"] * y, x + n["ratio"] * y
-    if model == "ke" and x < 6:
-        return mpf("1.03") * x ** mpf("1.425"), mpf("0.93") * x ** mpf("1.136")
-    if model == "ke" and x < 110:
-        return mpf("1.40") * x ** mpf("1.263"), mpf("0.94") * x ** mpf("1.146")
-    return 3 / n["factor"] * x, 2 * x  # plastic, of ke and zmc: F = 2 pi R w H
-
-
 def value(row):
     s = {k: mpf(v) for k, v in scenes[row["case"]].items() if k != "case"}
     e, r, sigma = s["equivalent_modulus"], s["asperity_radius"], s["asperity_height_std"]
-    pressure = s["pressure_factor"] * s["hardness"]
-    wc = (pi * pressure / (2 * e)) ** 2 * r
-    n = {"ratio": 1 - wc / r, "factor": s["pressure_factor"]}
-    fc, ac = mpf(2) / 3 * pi * r * wc * pressure, pi * r * wc
+    scene = Scene(e, 0, s["poissons_ratio"], s["hardness"], s["pressure_factor"], r, 0, sigma, 0)
+    wc = coefficient("ke", scene) * r
+    loading = [hard_law(row["model"], of_area, scene, mp) for of_area in (False, True)]
     u, d = mpf(row["retreat_over_sigma"]) * sigma, mpf(row["separation_over_sigma"])
     law, area = row["unloading"], row["quantity"] == "area"
 
     def one(w):
-        f, a = loading(row["model"], w / wc, n)
-        f, a, power, x = f * fc, a * ac, mpf("1.5"), w / wc
+        f, a = (scale * [of for kink, of in pieces if kink <= w / unit][-1](w / unit) for unit, scale, pieces in loading)
+        power, x = mpf("1.5"), w / wc
         if law == "hertz":
             way = 3 * f / (4 * e * sqrt(a / pi))
         elif law == "brake":

@@ -39,9 +39,9 @@ def coefficient(model, sc):
         return (mp.pi * mpf("1.295") * mp.exp(mpf("0.736") * nu) * H / mpf("2.8") / (2 * E)) ** 2
     return (mp.pi * S * H / (2 * E)) ** 2
 
-def law(model, area, sc, m):
-    """(w_c, scale, [(kink, f)]): F or A = scale f(w/w_c), f valid from its kink on; m is mp (exact) or np (float64)."""
-    n = mpf if m is mp else float
+def law(model, area, sc, m, number=float):
+    """(w_c, scale, [(kink, f)]): F or A = scale f(w/w_c), f valid from its kink on; m is mp (exact) or np (numbers of a type)."""
+    n = mpf if m is mp else number
     q = lambda text: n(mpf(text))
     E, H, S, R = n(sc.E), n(sc.H), n(sc.S), n(sc.R)
     wc = n(coefficient(model, sc)) * R

@@ -12,11 +12,12 @@ from collections import namedtuple
 
 import numpy as np
 
+from hard_cases import Scene, law_pieces
+
 np.seterr(all="ignore")
 HEADER = ("equivalent_modulus,equivalent_shear_modulus,poissons_ratio,hardness,pressure_factor,asperity_radius,"
           "asperity_density,asperity_height_std,nominal_area,model,quantity,displacement,stick,a20,"
           "separation_over_sigma,scaled,size,agreement").split(",")
-Scene = namedtuple("Scene", "E G nu H S R eta sigma An")
 Options = namedtuple("Options", "model quantity displacement stick a20")
 Config = namedtuple("Config", "outer middle theta ratio")
 FIRST, SECOND = Config(24, 38, 18, 12.0), Config(22, 34, 16, 20.0)
@@ -29,17 +30,6 @@ def rule(count):
     v, w = np.polynomial.legendre.leggauss(count)
     v, w = (v + 1) / 2, w / 2
     return v ** 3 * (10 - 15 * v + 6 * v * v), w * 30 * (v * (1 - v)) ** 2
-
-
-def row(kind, y, ym1, S, B, s0):
-    """N, A*, K_n and r of one regime; ym1 is y - 1 without cancellation."""
-    if kind == "e":
-        return y ** 1.5, y, 1.5 * np.sqrt(y), np.sqrt(y)
-    if kind == "ep":
-        A = 1 + 1.19 * ym1 ** 1.1
-        return 1.32 * ym1 ** 1.27 + 1, A, 1.6764 * ym1 ** 0.27, np.sqrt(A) - s0
-    A = y * (y / 1.9) ** B
-    return 3 * y / S, A, 3 / S, np.sqrt(A) - s0
 
 
 def part_of_octant(a, b, mu, kn, shear, quantity, count):
@@ -174,7 +164,7 @@ def integral(sc, options, terms, s, cfg):
         total, b, loss = 0.0, min(b, high / c), loss * s0
         clamped = limited or options.stick == "clamped"
         if b > a:
-            at = lambda y: row(kind, y, y - 1, sc.S, B, loss)
+            at = lambda y: law_pieces(kind, y, y - 1, sc.S, B, loss)
             grip = lambda y: (lambda N, _, __, r: 0.27 / math.tanh(0.27 * N ** 0.35) * N / r)(*at(y))
             points, origin = [t / c for t in (low, *edges(s, low, high, cfg))], 0.0 if kind != "ep" else 1.0
             # Where a given push no longer reaches the limit, and where slip begins at the window's near end.
@@ -192,7 +182,7 @@ def integral(sc, options, terms, s, cfg):
                     ym1 = p + off
                     y = origin + ym1
                     if y * c < high:
-                        law = row(kind, y, ym1 if origin else y - 1, sc.S, B, loss)
+                        law = law_pieces(kind, y, ym1 if origin else y - 1, sc.S, B, loss)
                         total += wt * middle(y, law, lam, c, s, options, clamped, cfg)
         sums.append((sign * total, total))
     return sum(t for t, _ in sums), sum(abs(t) for _, t in sums)

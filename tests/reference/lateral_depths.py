@@ -11,9 +11,9 @@ import csv, math, os
 
 import numpy as np
 
-HEADER = ("equivalent_modulus,equivalent_shear_modulus,poissons_ratio,hardness,pressure_factor,asperity_radius,"
-          "asperity_density,asperity_height_std,nominal_area,model,quantity,displacement,stick,a20,"
-          "separation_over_sigma,scaled,size,agreement").split(",")
+from hard_cases import law_pieces
+from lateral_cases import HEADER, rule
+
 FIRST, SECOND = (20, 16, 4.0, 8), (26, 20, 2.5, 11)  # nodes in y and in theta, ratio of panels, heights
 SOFT = dict(E=162472160846.2948, G=25293029937.681816, nu=0.3, H=135501863.37537646, S=0.577, R=1.679024191853228e-5,
             eta=41055335.75293291, sigma=2.1912678913137764e-7, An=1e-4)
@@ -22,25 +22,9 @@ ROWS = [(SOFT, "gao", -1000.0), (SOFT, "at-additive", -1000.0), (SOFT, "at", -1e
         (HARD, "at-overlap", -300.0), (HARD, "gao", -2e4)]
 
 
-def rule(count):
-    """Gauss-Legendre in v with x = v^3 (10 - 15 v + 6 v^2) on [0, 1]: half powers at both ends become high ones."""
-    v, w = np.polynomial.legendre.leggauss(count)
-    v, w = (v + 1) / 2, w / 2
-    return v ** 3 * (10 - 15 * v + 6 * v * v), w * 30 * (v * (1 - v)) ** 2
-
-
-def normal(kind, y, S, B, s0):
-    """N and r of one regime."""
-    if kind == "e":
-        return y ** 1.5, np.sqrt(y)
-    if kind == "ep":
-        return 1.32 * (y - 1) ** 1.27 + 1, np.sqrt(1 + 1.19 * (y - 1) ** 1.1) - s0
-    return 3 * y / S, np.sqrt(y * (y / 1.9) ** B) - s0
-
-
 def load(kind, y, gap, lam, S, B, s0, nodes):
     """The mean over theta of the contact force, and the tangential load over the friction limit."""
-    N, r = normal(kind, y, S, B, s0)
+    N, _, _, r = law_pieces(kind, y, y - 1, S, B, s0)
     mu = 0.27 / np.tanh(0.27 * N ** 0.35)
     a = lam * r * np.sqrt(gap * (2 * y + gap)) / (mu * N)
     begins = np.where(a > math.sqrt(2), np.arcsin(1 / np.maximum(a, 1.4)), math.pi / 4)

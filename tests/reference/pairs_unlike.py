@@ -10,9 +10,11 @@ import csv
 from pathlib import Path
 
 import numpy as np
-from mpmath import mp
+from mpmath import mp, mpf
 from mpmath.calculus.quadrature import GaussLegendre
-from numpy import exp, log, sqrt
+from numpy import exp, sqrt
+
+from hard_cases import Scene, law
 
 mp.dps = 25
 HERE = Path(__file__).parent
@@ -21,74 +23,19 @@ PI = REAL(str(mp.pi))
 RADIUS, DENSITY, STD = REAL("0.4"), REAL("1.7"), REAL("0.8")
 
 
-def laws(model, e, nu, hardness, factor, r):
-    """Kinks [m], force [N] and area [m^2] of one contact of radius r at an interference v [m]."""
-    wc = (PI * factor * hardness / (2 * e)) ** 2 * r
-    unit = REAL(4) / 3 * e * sqrt(r) * wc * sqrt(wc)
+def real(number):
+    return REAL(mp.nstr(mpf(number), 25))
 
-    def scaled(ends, forces, areas, w=wc, f=unit):
-        def piece(pieces, x):
-            # All of x are between two kinks.
-            return pieces[sum(x.mean() > end for end in ends)](x)
 
-        return (
-            [end * w for end in ends],
-            lambda v: f * piece(forces, v / w),
-            lambda v: PI * r * w * piece(areas, v / w),
-        )
+def laws(model, scene):
+    """Kinks [m], force [N] and area [m^2] of one contact at an interference v [m]."""
+    (unit, *force), (_, *area) = (law(model, of_area, scene, np, real) for of_area in (False, True))
 
-    hertz, plane = (lambda x: x * sqrt(x)), (lambda x: x)
-    if model == "gw":
-        return scaled([], [hertz], [plane])
-    if model == "ceb":
-        return scaled([1], [hertz, lambda x: 3 * x - REAL(3) / 2], [plane, lambda x: 2 * x - 1])
-    if model == "ke":
-        power = lambda c, p: lambda x: REAL(c) * x ** REAL(p)
-        return scaled(
-            [1, 6, 110],
-            [hertz, power("1.03", "1.425"), power("1.4", "1.263"), lambda x: 3 / factor * x],
-            [plane, power(".93", "1.136"), power(".94", "1.146"), lambda x: 2 * x],
-        )
-    if model == "etsion":
-        return scaled(
-            [1, 170],
-            [hertz, lambda x: 1 + REAL("1.32") * (x - 1) ** REAL("1.27"), lambda x: 3 / factor * x],
-            [plane, lambda x: 1 + REAL("1.19") * (x - 1) ** REAL("1.1"), lambda x: 2 * x],
-        )
-    if model == "af":
-        k2 = 1 - wc / r
-        return scaled(
-            [1],
-            [hertz, lambda x: x * sqrt(x) - sqrt(k2) * (x - 1) * sqrt(x - 1) + 3 * k2 * (x - 1)],
-            [plane, lambda x: x + k2 * (x - 1)],
-        )
-    if model == "zmc":
-        k, last = REAL(2) / 5, 54
-        w1 = (3 * PI * k * hardness / (4 * e)) ** 2 * r
-        t = lambda x: (x - 1) / (last - 1)
-        area = lambda x: x * (1 + t(x) ** 2 * (3 - 2 * t(x)))
-        pressure = lambda x: (1 - (1 - k) * log(last / x) / log(last)) / k
-        force = lambda x: pressure(x) * area(x)
-        return scaled(
-            [1, last],
-            [hertz, force, lambda x: 2 / k * x],
-            [plane, area, lambda x: 2 * x],
-            w1,
-            k * hardness * PI * r * w1,
-        )
-    strength = hardness / REAL("2.8")
-    c = REAL("1.295") * exp(REAL("0.736") * nu)
-    strain = PI * c * strength / (2 * e)
-    b, ends = REAL("0.14") * exp(23 * strength / e), [REAL("1.9")]
-    area = lambda x: x * (x / ends[0]) ** b
+    def scaled(scale, pieces):
+        # All of v are between two kinks.
+        return lambda v: scale * [f for kink, f in pieces if kink * unit <= v.mean()][-1](v / unit)
 
-    def force(x):
-        limit = REAL("2.84") * (1 - exp(-REAL("0.82") * (strain * sqrt(area(x))) ** REAL("-0.7")))
-        plastic = 4 * limit / c * (1 - exp(-(x ** (REAL(5) / 9)) / 25)) * x
-        return exp(-(x ** (REAL(5) / 12)) / 4) * x * sqrt(x) + plastic
-
-    w = strain**2 * r
-    return scaled(ends, [hertz, force], [plane, area], w, REAL(4) / 3 * e * r * r * strain**3)
+    return [kink * unit for kink, _ in force[1][1:]], scaled(*force), scaled(*area)
 
 
 def nodes(degree):
@@ -112,11 +59,13 @@ def rows():
         one, two = n["asperity_radius"], RADIUS * n["asperity_radius"]
         std = n["asperity_height_std"] * sqrt(1 + STD**2)
         pairs = 2 * PI * DENSITY * n["asperity_density"] ** 2 * n["nominal_area"]
-        solid = (n["equivalent_modulus"], n["poissons_ratio"], n["hardness"], n["pressure_factor"])
+        e, nu, hardness, factor = (mpf(scene[name]) for name in ("equivalent_modulus", "poissons_ratio", "hardness", "pressure_factor"))
+        radius = mpf("0.4") / mpf("1.4") * mpf(scene["asperity_radius"])
+        both = Scene(e, 0, nu, hardness, factor, radius, 0, 0, 0)
         # r = sqrt(2 (beta_1 + beta_2) u)
         over = [sqrt(2 * (one + two) * k * std) for k in (0, REAL(1) / 2, 1, 2, 4, 7, 12)]
         for model in ["gw", "ceb", "zmc", "ke", "etsion", "jg", "af"]:
-            kinks, force, area = laws(model, *solid, one * two / (one + two))
+            kinks, force, area = laws(model, both)
             for s in ["0", "1.5", "3.5"]:
                 d = REAL(s) * std
                 inner = sorted({k * std for k in (REAL("0.3"), 1, 2, 4, 7)} | set(kinks))

@@ -11,7 +11,9 @@ import os
 import re
 import subprocess
 import tempfile
+from pathlib import Path
 
+HERE = Path(__file__).parent
 E, R = 1000.0, 1000.0  # the yield stress is 1: E/Y = 1000 has small slopes
 ELEMENTS = 44  # on the contact radius at the largest interference
 RUNS = [  # nu, E_t/E, largest w/w_c, number of loads
@@ -63,41 +65,10 @@ def deck(nu, hardening, contact, interferences):
         lines += [f"*NSET, NSET={name}", *(f"{member}," for member in members)]
     slope = max(E * hardening / (1 - hardening), 1e-4)
     penalty = 2e3 * E * ELEMENTS / contact
-    lines.append(f"""*MATERIAL, NAME=M
-*ELASTIC
-{E},{nu}
-*PLASTIC
-1.,0.
-{1 + 5 * slope:.9g},5.
-*MATERIAL, NAME=P
-*ELASTIC
-{100 * E},0.
-*SOLID SECTION, ELSET=BODY, MATERIAL=M
-*SOLID SECTION, ELSET=PLATE, MATERIAL=P
-*SURFACE, NAME=MASTER, TYPE=ELEMENT
-{len(cells) + 1}, S1
-*SURFACE, NAME=SLAVE, TYPE=NODE
-TOP
-*SURFACE INTERACTION, NAME=SI
-*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR
-{penalty:.6g},1e-4
-*CONTACT PAIR, INTERACTION=SI, TYPE=NODE TO SURFACE
-SLAVE,MASTER
-*BOUNDARY
-BASE,2,2
-AXIS,1,1
-PL,1,1""")
-    for w in interferences:
-        lines.append(f"""*STEP, INC=200
-*STATIC
-1.,1.,1e-4
-*BOUNDARY
-PL,2,2,{-w:.9g}
-*NODE PRINT, NSET=PL, TOTALS=ONLY, FREQUENCY=100
-RF
-*CONTACT PRINT, SLAVE=SLAVE, MASTER=MASTER, FREQUENCY=100
-CSTR
-*END STEP""")
+    solid, step = (HERE / "sphere_calculix.inp").read_text().rstrip("\n").split("\n--\n")
+    numbers = {"modulus": E, "nu": nu, "flow": 1 + 5 * slope, "stiff": 100 * E, "plate": len(cells) + 1, "penalty": penalty}
+    lines.append(solid.format(**numbers))
+    lines += [step.format(down=-w) for w in interferences]
     return "\n".join(lines) + "\n"
 
 

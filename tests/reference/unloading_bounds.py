@@ -10,36 +10,25 @@ from pathlib import Path
 
 import mpmath as mp
 
+from hard_cases import Scene, law
+
 mp.mp.dps = 40
 HERE = Path(__file__).parent
 
 
 def laws(model, scene):
     """Force, area and the kinks of one asperity."""
-    e, k, h, r = (scene[key] for key in ("equivalent_modulus", "pressure_factor", "hardness", "asperity_radius"))
-    critical = (mp.pi * k * h / (2 * e)) ** 2 * r
-    hertz = lambda w: 4 * e * mp.sqrt(r) * w ** mp.mpf("1.5") / 3
-    if model == "ceb":
-        area = lambda w: mp.pi * r * w * (1 if w <= critical else 2 - critical / w)
-        return (lambda w: hertz(w) if w <= critical else k * h * area(w)), area, [critical]
-    unit, whole = hertz(critical), mp.pi * r * critical
-
-    def pick(w, powers):
-        x = w / critical
-        for end, factor, exponent in powers:
-            if x <= end:
-                return factor * x**exponent
-
-    n = mp.mpf
-    force = [(1, n(1), n("1.5")), (6, n("1.03"), n("1.425")), (110, n("1.4"), n("1.263")), (mp.inf, 3 / k, n(1))]
-    areas = [(1, n(1), n(1)), (6, n("0.93"), n("1.136")), (110, n("0.94"), n("1.146")), (mp.inf, n(2), n(1))]
-    kinks = [critical * x for x in (1, 6, 110)]
-    return (lambda w: unit * pick(w, force)), (lambda w: whole * pick(w, areas)), kinks
+    names = ("equivalent_modulus", "hardness", "pressure_factor", "asperity_radius")
+    numbers = dict(zip("EHSR", (scene[name] for name in names)), G=0, nu=0, eta=0, sigma=0, An=0)
+    (unit, force, pieces), (_, area, areas) = (law(model, of, Scene(**numbers), mp.mp) for of in (False, True))
+    pick = lambda pieces, x: [f for kink, f in pieces if kink <= x][-1](x)
+    kinks = [unit * kink for kink, _ in pieces[1:]]
+    return (lambda w: force * pick(pieces, w / unit)), (lambda w: area * pick(areas, w / unit)), kinks
 
 
-def left(scene, law, closest, retreat):
+def left(scene, of_one, closest, retreat):
     """Force and area after a retreat, both over sigma."""
-    (force, area, kinks), sigma = law, scene["asperity_height_std"]
+    (force, area, kinks), sigma = of_one, scene["asperity_height_std"]
     e, u = scene["equivalent_modulus"], retreat * sigma
     back = lambda w: 3 * force(w) / (4 * e * mp.sqrt(area(w) / mp.pi))
     low, high = mp.mpf(0), sigma
@@ -78,9 +67,9 @@ def main():
                 continue
             scene = {key: mp.mpf(value) for key, value in row.items() if key != "case"}
             for model in ("ceb", "ke"):
-                law = laws(model, scene)
+                of_one = laws(model, scene)
                 for closest, retreat in ((-1, "0.05"), (0, "1"), (3, "0.3"), (3, "1"), (6, "2")):
-                    found = left(scene, law, mp.mpf(closest), mp.mpf(retreat))
+                    found = left(scene, of_one, mp.mpf(closest), mp.mpf(retreat))
                     digits = [mp.nstr(value, 17) for value in found]
                     out.writerow([row["case"], model, closest, retreat, *digits])
 

@@ -5,12 +5,10 @@ use asperity::{
     Surface,
 };
 
+use crate::inputs::FIELDS;
 use crate::scenes::{model, named};
 
 type Change = (&'static str, fn(&mut Scene, f64));
-
-/// A mistake, the function that makes it, and parts of its message.
-type Mistake = (&'static str, fn(&mut Scene), &'static [&'static str]);
 
 /// Every input of a scene, with a function that multiplies it.
 const INPUTS: [Change; 9] = [
@@ -130,76 +128,22 @@ fn good_scenes_have_no_findings() {
     }
 }
 
-/// Observed mistakes of users and their messages.
+/// Observed mistakes of users: the inputs, their numbers, and parts of the messages.
 #[test]
 fn mistakes_of_users_are_reported_with_the_unit() {
-    let right = || machined().swap_remove(0).1;
-    let mistakes: [Mistake; 14] = [
-        (
-            "sigma in um",
-            |s| s.surface.asperity_height_std = 1.0,
-            &["asperity_height_std", "like um"],
-        ),
-        ("R in mm", |s| s.surface.asperity_radius = 0.2, &["asperity_radius", "like mm"]),
-        (
-            "a larger R in mm",
-            |s| s.surface = Surface::new(0.02, 2e9, 1e-6),
-            &["asperity_radius", "like mm"],
-        ),
-        (
-            "eta in 1/mm2",
-            |s| s.surface.asperity_density = 200.0,
-            &["asperity_density", "like 1/mm2"],
-        ),
-        ("area in mm2", |s| s.nominal_area = 100.0, &["nominal_area", "like mm2"]),
-        (
-            "E and H in GPa",
-            |s| {
-                s.interface.equivalent_modulus = 115.0;
-                s.interface.hardness = Some(2.0);
-                s.interface.equivalent_shear_modulus = None;
-            },
-            &["equivalent_modulus", "like GPa", "hardness"],
-        ),
-        ("H in GPa", |s| s.interface.hardness = Some(2.0), &["hardness", "like GPa"]),
-        (
-            "E in MPa",
-            |s| s.interface.equivalent_modulus = 115e3,
-            &["equivalent_modulus", "like MPa"],
-        ),
-        (
-            "E in GPa",
-            |s| s.interface.equivalent_modulus = 115.0,
-            &["equivalent_modulus", "like GPa"],
-        ),
-        (
-            "E and H in MPa",
-            |s| {
-                s.interface.equivalent_modulus = 115e3;
-                s.interface.hardness = Some(2000.0);
-                s.interface.equivalent_shear_modulus = None;
-            },
-            &["equivalent_modulus", "like MPa", "hardness"],
-        ),
-        (
-            "lengths in um",
-            |s| s.surface = Surface::new(200.0, 2e-4, 1.0),
-            &["asperity_height_std", "like um", "asperity_density", "like 1/um2"],
-        ),
-        ("a modulus as H", |s| s.interface.hardness = Some(240e9), &["hardness is 2.4e11 Pa"]),
-        ("H in MPa", |s| s.interface.hardness = Some(2000.0), &["hardness", "like MPa"]),
-        (
-            "G in GPa",
-            |s| s.interface.equivalent_shear_modulus = Some(24.0),
-            &["equivalent_shear_modulus", "like GPa"],
-        ),
-    ];
-    for (name, make, words) in mistakes {
-        let mut scene = right();
-        make(&mut scene);
+    for line in include_str!("mistakes.csv").lines().skip(1) {
+        let (name, words) = line.split_once("; ").unwrap();
+        let mut scene = machined().swap_remove(0).1;
+        for input in name.split(", ") {
+            let (field, number) = input.split_once(' ').unwrap();
+            match FIELDS.iter().find(|(known, _)| *known == field) {
+                Some((_, set)) => set(&mut scene, number.parse().unwrap()),
+                None => scene.interface.equivalent_shear_modulus = None,
+            }
+        }
         let found = messages(&scene.findings());
         let all = found.join("\n");
-        assert!(words.iter().all(|word| all.contains(word)), "{name}: {found:#?}");
+        assert!(words.split(", ").all(|word| all.contains(word)), "{name}: {found:#?}");
         assert!(found.len() <= 3, "{name}: {found:#?}");
         assert!(scene.findings().are_implausible(), "{name}: {found:#?}");
     }

@@ -8,10 +8,10 @@ use asperity::{
 use crate::scenes::{compiled, lateral, model, named, with_index};
 
 /// A function that puts a number into a scene.
-type Setter = fn(&mut Scene, f64);
+pub type Setter = fn(&mut Scene, f64);
 
 /// Every number of a scene, by its name in errors.
-const FIELDS: [(&str, Setter); 10] = [
+pub const FIELDS: [(&str, Setter); 10] = [
     ("equivalent_modulus", |s, v| s.interface.equivalent_modulus = v),
     ("equivalent_shear_modulus", |s, v| s.interface.equivalent_shear_modulus = Some(v)),
     ("poissons_ratio", |s, v| s.interface.poissons_ratio = v),

@@ -1,8 +1,31 @@
 //! The scenes of `reference/models_scenes.csv`, and ways to make others.
 
 use asperity::{
-    AminiTehrani, AtReading, Contact, Gao, Interface, LateralOptions, Model, Quantity, Request,
-    Scene, Surface, Tolerance,
+    AminiTehrani, AtReading, Citation, Contact, Gao, Interface, LateralOptions, Model, Provenance,
+    Quantity, Request, Scene, Surface, Tolerance,
+};
+
+/// Models of the tests have a source in name alone.
+macro_rules! described {
+    ($($model:ty),*) => {
+        $(impl asperity::Described for $model {
+            fn citation(&self) -> &asperity::Citation {
+                &$crate::scenes::NOBODY
+            }
+        })*
+    };
+}
+
+pub(crate) use described;
+
+pub const NOBODY: Citation = Citation {
+    id: "mine",
+    name: "mine",
+    authors: "nobody",
+    year: 2026,
+    title: "a test",
+    provenance: Provenance::Derived,
+    published: &[],
 };
 
 /// The scene with this name.

@@ -1,32 +1,18 @@
 //! Laws that rise and fall more often than any model: every separation that carries a load.
 
 use asperity::{
-    Asperity, AsperityModel, Citation, ContactError, ContactModel, Described, Formula,
-    HeightDistribution, Interface, Law, Provenance, Quantity, Request, Scene, Surface, Tolerance,
-    WeibullHeights, testkit,
+    Asperity, AsperityModel, ContactError, ContactModel, Formula, HeightDistribution, Interface,
+    Law, Quantity, Request, Scene, Surface, Tolerance, WeibullHeights, testkit,
 };
 
 use crate::crossings::wrong;
+use crate::scenes::described;
+
+described!(Wavy, Endless);
 
 /// A law that rises and falls twice, though declared monotone.
 #[derive(Debug)]
 struct Wavy;
-
-const SOURCE: Citation = Citation {
-    id: "wavy",
-    name: "wavy",
-    authors: "nobody",
-    year: 2026,
-    title: "a test",
-    provenance: Provenance::Derived,
-    published: &[],
-};
-
-impl Described for Wavy {
-    fn citation(&self) -> &Citation {
-        &SOURCE
-    }
-}
 
 impl AsperityModel for Wavy {
     fn force(&self, _: &Asperity, _: Tolerance) -> Result<Law, ContactError> {
@@ -61,12 +47,6 @@ fn forces_that_fall_though_declared_monotone_are_searched() {
 /// A law that waves without end, about a line.
 #[derive(Debug)]
 struct Endless;
-
-impl Described for Endless {
-    fn citation(&self) -> &Citation {
-        &SOURCE
-    }
-}
 
 impl AsperityModel for Endless {
     fn force(&self, _: &Asperity, _: Tolerance) -> Result<Law, ContactError> {

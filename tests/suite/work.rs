@@ -4,12 +4,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 use asperity::{
-    AngleDensity, Asperity, AsperityModel, At, Case, Check, Citation, Contact, ContactError,
-    ContactModel, Described, Formula, HeightDistribution, Law, Model, ObliqueContact, Power,
-    Provenance, Quantity, Request, Scene, Sweep, Tolerance, angle_average,
+    AngleDensity, Asperity, AsperityModel, At, Case, Check, Contact, ContactError, ContactModel,
+    Formula, HeightDistribution, Law, Model, ObliqueContact, Power, Quantity, Request, Scene,
+    Sweep, Tolerance, angle_average,
 };
 
-use crate::scenes::{named, with_index};
+use crate::scenes::{described, named, with_index};
+
+described!(Spy, LateralSpy, SignedSpy);
 
 /// A law with a power part to x = 1 and a counted function beyond, like a user's law.
 #[derive(Debug, Clone, Default)]
@@ -21,16 +23,6 @@ struct Spy {
     /// Whether the stiffness is a law of its own.
     own_stiffness: bool,
 }
-
-const SOURCE: Citation = Citation {
-    id: "mine",
-    name: "mine",
-    authors: "nobody",
-    year: 2020,
-    title: "a test",
-    provenance: Provenance::Derived,
-    published: &[],
-};
 
 impl Spy {
     fn asked(&self) -> Vec<Quantity> {
@@ -44,12 +36,6 @@ impl Spy {
     fn compile(&self, scene: &Scene, quantities: &[Quantity]) -> Box<dyn Contact> {
         let request = Request::new(quantities.iter().copied());
         ContactModel::compile(self, scene, &request).unwrap()
-    }
-}
-
-impl Described for Spy {
-    fn citation(&self) -> &Citation {
-        &SOURCE
     }
 }
 
@@ -224,12 +210,6 @@ impl ObliqueContact for Counted {
 #[derive(Debug)]
 struct LateralSpy(Arc<AtomicUsize>);
 
-impl Described for LateralSpy {
-    fn citation(&self) -> &Citation {
-        &SOURCE
-    }
-}
-
 impl AsperityModel for LateralSpy {
     fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {
         let contact = Arc::new(Counted(self.0.clone()));
@@ -289,12 +269,6 @@ fn a_lateral_law_that_is_integrated_once_is_not_tabulated() {
 /// A law like AT's as printed: elastic, less a part that begins at x = 1, and one from 6 on.
 #[derive(Debug)]
 struct SignedSpy(Arc<AtomicUsize>);
-
-impl Described for SignedSpy {
-    fn citation(&self) -> &Citation {
-        &SOURCE
-    }
-}
 
 impl AsperityModel for SignedSpy {
     fn force(&self, asperity: &Asperity, tolerance: Tolerance) -> Result<Law, ContactError> {

@@ -81,48 +81,12 @@ TOP, 3, 3, -{down}
         )
     });
     format!(
-        "*NODE, NSET=ALL
-{}{}*ELEMENT, TYPE=C3D8, ELSET=BLOCKS
-1, 1, 2, 3, 4, 5, 6, 7, 8
-2, 11, 12, 13, 14, 15, 16, 17, 18
-*NSET, NSET=LOWEST
-1, 2, 3, 4
-*NSET, NSET=LOWERFACE
-5, 6, 7, 8
-*NSET, NSET=UPPERFACE
-11, 12, 13, 14
-*NSET, NSET=TOP
-15, 16, 17, 18
-*SURFACE, NAME=ABOVE
-2, S1
-*SURFACE, NAME=BELOW
-1, S2
-*MATERIAL, NAME=STEEL
-*ELASTIC
-210000., 0.
-*CONDUCTIVITY
-50.
-*EXPANSION
-0.
-*DENSITY
-7.8e-9
-*SPECIFIC HEAT
-4.6e8
-*SOLID SECTION, ELSET=BLOCKS, MATERIAL=STEEL
-*SURFACE INTERACTION, NAME=ROUGH
-{interaction}*CONTACT PAIR, INTERACTION=ROUGH, TYPE={pair}
-ABOVE, BELOW
-*INITIAL CONDITIONS, TYPE=TEMPERATURE
-ALL, 300.
-*BOUNDARY
-LOWEST, 1, 3
-LOWERFACE, 1, 2
-UPPERFACE, 1, 2
-TOP, 1, 2
-{}",
-        corners(1, 0.0),
-        corners(11, 10.0),
-        steps.concat()
+        include_str!("calculix/blocks.inp"),
+        lower = corners(1, 0.0),
+        upper = corners(11, 10.0),
+        interaction = interaction,
+        pair = pair,
+        steps = steps.concat()
     )
 }
 
@@ -193,37 +157,10 @@ fn loaded(interaction: &str) -> String {
         })
         .collect();
     format!(
-        "*NODE, NSET=ALL
-{nodes}*ELEMENT, TYPE=C3D8, ELSET=BLOCKS
-{elements}*ELSET, ELSET=LOWER, GENERATE
-1, 9, 1
-*ELSET, ELSET=UPPER, GENERATE
-101, 109, 1
-*NSET, NSET=LOWEST, GENERATE
-1, 16, 1
-*SURFACE, NAME=ABOVE, TYPE=ELEMENT
-UPPER, S1
-*SURFACE, NAME=BELOW, TYPE=ELEMENT
-LOWER, S2
-*MATERIAL, NAME=STEEL
-*ELASTIC
-210000., 0.
-*SOLID SECTION, ELSET=BLOCKS, MATERIAL=STEEL
-*SURFACE INTERACTION, NAME=ROUGH
-{interaction}*CONTACT PAIR, INTERACTION=ROUGH, TYPE=NODE TO SURFACE
-ABOVE, BELOW
-*BOUNDARY
-LOWEST, 3, 3
-ALL, 1, 2
-*STEP, NLGEOM
-*STATIC
-0.1, 1.
-*DLOAD
-UPPER, P2, 10.
-*EL PRINT, ELSET=BLOCKS
-S
-*END STEP
-"
+        include_str!("calculix/loaded.inp"),
+        nodes = nodes,
+        elements = elements,
+        interaction = interaction
     )
 }
 

@@ -178,8 +178,6 @@ def test_a_scan_leaks_through_the_seal_of_its_scene(tmp_path: Path, scene: asper
     asked = ["effective-medium-gap", "hydraulic-gap-x", "hydraulic-gap-y", "leak"]
     found = asperity.bem(leaking("viscosity = 1e-3"), quantities=asked, **given)
     x, y, flow = found["hydraulic_gap_x_m"], found["hydraulic_gap_y_m"], found["leak_x_m3_per_s"]
-    # h^3 dp/(12 mu) times width over length.
-    np.testing.assert_allclose(flow, x**3 * 9e5 / 12e-3 * 50, rtol=1e-9)
     assert x[:2] == pytest.approx(found["effective_medium_gap_m"][:2], rel=0.2)
     assert flow[0] > flow[1] > flow[2] == y[2] == 0 and np.isnan(found["tightest_gap_x_m"][2])
     assert any("no open path along x in 1 of 3" in text for text in found.results)
@@ -199,13 +197,6 @@ def test_sealing_pressures_are_those_of_samples(scene: asperity.Scene) -> None:
     given: dict[str, Any] = {"elastic": True, "maps": False, "quantities": ["hydraulic-gap-x"]}
     gaps = asperity.bem(scene, pressure=[0.98 * low[0], 1.02 * high[0]], **given)["hydraulic_gap_x_m"]
     assert gaps[0] > 0
-    # Ridges: full contact along them, at pi E a/lambda; across them no path is ever open.
-    ridges = 1e-7 * np.cos(2 * np.pi * np.arange(64) / 64) * np.ones((4, 1))
-    scan = asperity.Topography(ridges, dx=1e-6, unit="m", periodic=True)
-    found = asperity.sealing_pressure(scan, interface=STEEL, samples=2, elastic=True)
-    assert found["middle_sealing_pressure_Pa"][1] == pytest.approx(np.pi * 116e9 / 640, rel=0.02)
-    assert np.isnan(found["highest_sealing_pressure_Pa"][0])
-    assert any("along x no path is open in 2 of 2" in text for text in found.results)
     with pytest.raises(ValueError, match="samples is 1"):
         asperity.sealing_pressure(scene, samples=1)
 

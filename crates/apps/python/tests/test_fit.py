@@ -7,6 +7,7 @@ from pathlib import Path
 import asperity
 import numpy as np
 import pytest
+from laws import Hertz
 
 SCENE = asperity.Scene.parse(asperity.template())
 PRESSURES = np.geomspace(1e5, 3e7, 8)
@@ -55,19 +56,6 @@ def test_a_file_and_a_table_give_the_same(tmp_path: Path) -> None:
 
 
 def test_a_model_written_in_python_is_fitted() -> None:
-    class Hertz:
-        def __init__(self, asperity: asperity.Asperity) -> None:
-            self.asperity = asperity
-
-        def force(self, w: np.ndarray) -> np.ndarray:
-            e, r = self.asperity.equivalent_modulus, self.asperity.radius
-            # Laws are asked up to the largest numbers, whose powers overflow.
-            with np.errstate(over="ignore"):
-                return np.asarray(4 / 3 * e * r**0.5 * w**1.5)
-
-        def area(self, w: np.ndarray) -> np.ndarray:
-            return np.asarray(np.pi * self.asperity.radius * w)
-
     data = {name: values for name, values in made("gw", asperity_height_std=2e-6).items()}
     del data["unloading_stiffness_N_per_m"]
     with pytest.warns(asperity.ContactWarning) as recorded:

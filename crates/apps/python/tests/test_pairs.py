@@ -7,6 +7,7 @@ import math
 import asperity
 import numpy as np
 import pytest
+from laws import Hertz
 
 INTERFACE = asperity.Interface(116e9, 0.31, hardness=1.12e9)
 SURFACE = asperity.Surface(3.6e-4, 1.1e8, 1e-6)
@@ -28,34 +29,23 @@ def test_separations_of_pairs_are_those_of_both_surfaces_on_one_scene_and_on_sev
     assert np.asarray(found) == pytest.approx(float(metres), rel=1e-6)
 
 
-class Scaled:
+class Plain(Hertz):
+    """Hertz' law, which does not know the density."""
+
+    def __init__(self, one: asperity.Asperity) -> None:
+        assert one.density is None
+        super().__init__(one)
+
+
+class Scaled(Hertz):
     """Hertz' law times the density."""
 
-    name = "scaled"
     uses_density = True
 
     def __init__(self, one: asperity.Asperity) -> None:
         assert one.density is not None
-        self.unit = 4 / 3 * one.equivalent_modulus * one.radius**0.5 * one.density
-        self.radius = one.radius
-
-    def force(self, w: np.ndarray) -> np.ndarray:
-        return np.asarray(self.unit * w**1.5)
-
-    def area(self, w: np.ndarray) -> np.ndarray:
-        return np.asarray(math.pi * self.radius * w)
-
-
-class Plain(Scaled):
-    """Hertz' law."""
-
-    name = "plain"
-    uses_density = False
-
-    def __init__(self, one: asperity.Asperity) -> None:
-        assert one.density is None
-        self.unit = 4 / 3 * one.equivalent_modulus * one.radius**0.5
-        self.radius = one.radius
+        super().__init__(one)
+        self.unit *= one.density
 
 
 def test_a_law_of_your_own_knows_the_density_if_it_says_so() -> None:

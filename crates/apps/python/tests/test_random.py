@@ -8,11 +8,6 @@ import asperity
 import numpy as np
 
 EXAMPLES = Path(__file__).resolve().parents[3] / "answer" / "scene" / "examples"
-PRESSURES = [1e7, 1e8, 1e9]
-
-
-def area(scene: asperity.Scene, model: str) -> np.ndarray:
-    return asperity.model(model).solve(scene, pressure=PRESSURES, quantities=["area"]).area
 
 
 def test_an_answer_is_that_of_the_model_best_and_lies_between_its_ends() -> None:

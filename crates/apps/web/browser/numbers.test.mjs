@@ -62,28 +62,6 @@ test("models agree", { skip: !program }, async () => {
   }
 });
 
-test("answers agree", { skip: !program }, async () => {
-  let compared = 0;
-  for (const [name, load] of [["bolted-joint", 200], ["lapped-seal", 2000], ["elastomer-on-glass", 0.05]]) {
-    const text = example(name);
-    await page.scene(text);
-    await page.change(["#load", `${load} N`]);
-    const quantities = ["area-fraction", "tangent", "unloading-stiffness", "mean-pressure"];
-    const [row] = rows("answer", saved(text), "--load", String(load), "--quantity", quantities.join());
-    for (const quantity of quantities) {
-      const found = await page.cell("answer", quantity);
-      const start = quantity.replaceAll("-", "_");
-      for (const [end, shown] of [["_lower", found.lower], ["_upper", found.upper]]) {
-        const wanted = row[Object.keys(row).find((key) => key.startsWith(`${start}${end}`))];
-        if (typeof wanted !== "number") continue;
-        assert.ok(Math.abs(shown / wanted - 1) < 1e-9, `${name} ${quantity}${end}: ${shown}, the program: ${wanted}`);
-        compared += 1;
-      }
-    }
-  }
-  assert.ok(compared > 12, `${compared}`);
-});
-
 test("boundary elements agree", { skip: !program }, async () => {
   await page.scene(example("wheel-rail"));
   await page.file("scan.txt", matrix());

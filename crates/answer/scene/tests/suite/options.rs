@@ -8,18 +8,10 @@ use asperity_scene::{ModelOptions, SceneError, SceneFile, parse, template};
 
 use crate::scene_files::{SURFACE, text};
 
-const BARE: &str = "[interface]
-equivalent_modulus = 115e9
-poissons_ratio = 0.3
-hardness = 2e9
-";
+const BARE: &str = include_str!("scenes/bare.toml");
 
 /// Options other than the defaults.
-const OTHERS: &str = "angle_density = \"upright\"
-displacement = { zeta = 0.1, xi = 0.2 }
-stick = \"unlimited\"
-force = \"vertical\"
-af_flow_pressure = \"H\"";
+const OTHERS: &str = include_str!("scenes/options.toml");
 
 /// The template's scene with one line of `[options]` instead of its own.
 fn scene(option: &str) -> SceneFile {

@@ -7,17 +7,8 @@ use asperity::{
 };
 use asperity_scene::{SceneError, SceneFile, parse};
 
-pub const INTERFACE: &str = "[interface]
-equivalent_modulus = 116e9
-equivalent_shear_modulus = 41e9
-poissons_ratio = 0.31
-hardness = 1.12e9
-";
-pub const SURFACE: &str = "[surface]
-asperity_radius = 3.59e-4
-asperity_density = 1.11e8
-asperity_height_std = 1e-6
-";
+pub const INTERFACE: &str = include_str!("scenes/interface.toml");
+pub const SURFACE: &str = include_str!("scenes/surface.toml");
 
 const SOFT: &str =
     "[[body]]\nyoungs_modulus = 70e9\npoissons_ratio = 0.33\nyield_strength = 300e6\n";

@@ -36,29 +36,11 @@ const CURVED: [&[(&str, f64)]; 6] = [
     &[("body1_radius_x", 0.01), ("body2_radius_x", -0.02), ("body2_radius_y", 0.3)],
 ];
 
-/// Numbers of keys that are not written.
-const OTHERS: [(&str, f64); 20] = [
-    ("reference_length", 0.2),
-    ("radius_y", 0.5),
-    ("yield_strength", 6e8),
-    ("tangent_modulus", 1e9),
-    ("thermal_conductivity", 40.0),
-    ("electrical_resistivity", 1e-7),
-    ("equivalent_shear_modulus", 3e10),
-    ("pressure_factor", 0.6),
-    ("work_of_adhesion", 0.05),
-    ("mean_plane_offset", 1.5e-6),
-    ("peklenik_number", 2.0),
-    ("rq", 1e-6),
-    ("ra", 9e-7),
-    ("rz", 5e-6),
-    ("rsm", 1.2e-4),
-    ("rdq", 0.07),
-    ("mean_slope", 0.05),
-    ("bandwidth", 9.0),
-    ("lambda_c", 8e-4),
-    ("lambda_s", 2.5e-6),
-];
+/// A number of a key that is not written.
+fn other(key: &str) -> Option<f64> {
+    let mut lines = include_str!("others.csv").lines();
+    lines.find_map(|line| line.strip_prefix(key)?.strip_prefix(' ')?.parse().ok())
+}
 
 fn text(sections: &[Section], more: &str) -> String {
     let mut text = String::new();
@@ -178,8 +160,7 @@ fn every_number_of_every_description_is_edited_where_it_was_written() {
             let file = read(&text(&sections, more));
             for (name, input) in file.all_inputs() {
                 let given = file.value_of(input);
-                let other = OTHERS.iter().find(|(key, _)| *key == key_of_input(&name));
-                let Some(value) = given.or(other.map(|(_, value)| *value)) else {
+                let Some(value) = given.or_else(|| other(key_of_input(&name))) else {
                     // Of two bodies, a number in which they differ.
                     assert!(BODY.iter().any(|field| field.name == name), "{name}");
                     continue;

@@ -12,15 +12,7 @@ use crate::scene_files::{INTERFACE, SURFACE, text};
 
 const SAID: &str = include_str!("said.txt");
 
-const BODIES: &str = "[[body]]
-youngs_modulus = \"210 GPa\"
-poissons_ratio = 0.3
-yield_strength = \"400 MPa\"
-[[body]]
-youngs_modulus = \"210 GPa\"
-poissons_ratio = 0.3
-yield_strength = \"400 MPa\"
-";
+const BODIES: &str = include_str!("scenes/bodies.toml");
 
 /// The error of a scene, or its warnings and findings; `a.txt` has 16 x 16 points, `few.txt` 4 x 4.
 fn of_scene(scene: &str) -> Vec<String> {

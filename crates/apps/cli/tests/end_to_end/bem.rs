@@ -3,26 +3,10 @@
 use crate::bench::{Bench, cells, column};
 
 /// A scene on `scan.txt`.
-pub const SCAN: &str = "nominal_area = 3e-5
-[interface]
-equivalent_modulus = 116e9
-poissons_ratio = 0.31
-hardness = 5e9
-[surface]
-file = \"scan.txt\"
-unit = \"um\"
-pixel_size = 0.5
-";
+pub const SCAN: &str = include_str!("scenes/scan.toml");
 
 /// A seal of that scan.
-const SEAL: &str = "
-[seal]
-width = \"100 mm\"
-length = \"2 mm\"
-upstream_pressure = \"10 bar\"
-downstream_pressure = \"1 bar\"
-gas = \"helium\"
-";
+const SEAL: &str = include_str!("scenes/seal.toml");
 
 /// A folder with that scene, that scan, and the scene of a seal.
 pub fn bench() -> Bench {

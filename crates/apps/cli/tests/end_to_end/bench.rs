@@ -12,42 +12,13 @@ pub fn is_long() -> bool {
 }
 
 /// A scene without a shear modulus.
-pub const NO_SHEAR: &str = "nominal_area = 3e-5
-[interface]
-equivalent_modulus = 116e9
-poissons_ratio = 0.31
-hardness = 1.12e9
-[surface]
-asperity_radius = 3.59e-4
-asperity_density = 1.11e8
-asperity_height_std = 1e-6
-";
+pub const NO_SHEAR: &str = include_str!("scenes/no-shear.toml");
 
 /// A scene whose printed AT force is negative around a separation of 1.
-pub const NEGATIVE: &str = "nominal_area = 3e-5
-[interface]
-equivalent_modulus = 116e9
-equivalent_shear_modulus = 41e9
-poissons_ratio = 0.31
-hardness = 1.12e9
-[surface]
-plasticity_index = 2.0
-roughness_parameter = 0.04
-asperity_height_std = 1e-6
-";
+pub const NEGATIVE: &str = include_str!("scenes/negative.toml");
 
 /// A soft body on a rigid one, which adhere.
-pub const SOFT: &str = "nominal_area = 1e-4
-work_of_adhesion = \"50 mJ/m2\"
-rigid_counterface = true
-[[body]]
-youngs_modulus = \"1 MPa\"
-poissons_ratio = 0.5
-[surface]
-asperity_radius = 1e-4
-asperity_density = 1e9
-asperity_height_std = 1e-6
-";
+pub const SOFT: &str = include_str!("scenes/soft.toml");
 
 /// The template with the lines that tell what conducts: those below the commented [interface] stand
 /// in the second body then.

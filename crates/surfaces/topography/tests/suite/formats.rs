@@ -54,8 +54,6 @@ fn profiles_are_read() {
     assert!((uneven.heights()[1] / (7.0 / 3.0 * 1e-6) - 1.0).abs() < 1e-12);
     assert!((uneven.heights()[0] / 1e-6 - 1.0).abs() < 1e-12);
     assert_eq!(uneven.notes()[0].code, "resampled");
-    let order = message("a.csv", b"0,1\n2,2\n1,3\n", &in_um);
-    assert!(order.starts_with("x: 1 as position 3 after 2"), "{order}");
 }
 
 #[test]
