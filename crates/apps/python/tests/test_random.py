@@ -25,7 +25,7 @@ def test_an_answer_is_that_of_the_model_best_and_lies_between_its_ends() -> None
             assert (answer.lower[quantity][known] <= value).all()
             assert (value <= answer.upper[quantity][known]).all()
         assert "mean-gap" in answer.value or scene.heights == "exponential"
-        assert "real area" in str(answer)
+        assert "real area" in str(answer) and "<table>" in answer._repr_html_()
     seal = asperity.Scene.from_toml(EXAMPLES / "lapped-seal.toml").answer(load="75 N")
     assert seal.lower["area"] < seal.value["area"] < seal.upper["area"]
     assert "nine of ten surfaces" in seal.by and not seal.widest

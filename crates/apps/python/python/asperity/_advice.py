@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -52,6 +53,14 @@ class Answer(Table):
         behind = {"by": self.by, "widest": self.widest, "also": self.also}
         texts += [f"{name:<8}{text}" for name, text in behind.items() if text]
         return "\n".join([*texts, *map(str, self.findings)])
+
+    def _repr_html_(self) -> str:
+        head, *rows = [[escape(cell) for cell in line] for line in self.lines]
+        cells = ["".join(f"<td>{cell}</td>" for cell in row) for row in rows]
+        heads = "".join(f"<th>{cell}</th>" for cell in head)
+        body = "".join(f"<tr>{row}</tr>" for row in cells)
+        behind = "".join(f"<p>{escape(text)}</p>" for text in (self.by, self.widest, self.also) if text)
+        return f"<table><tr>{heads}</tr>{body}</table>{behind}"
 
 
 @method_of(Scene)
