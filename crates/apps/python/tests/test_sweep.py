@@ -1,12 +1,21 @@
-"""Sweeps: samples against scipy, values against one scene at a time."""
+"""Sweeps: samples against scipy, values against one scene at a time, stores that are interrupted."""
 
 from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+from collections.abc import Callable
+from pathlib import Path
 
 import asperity
 import numpy as np
 import numpy.typing as npt
 import pytest
 import xarray as xr
+import zarr
 from laws import Hertz
 from scipy import stats
 from scipy.stats import qmc
@@ -63,6 +72,16 @@ def test_grids_have_a_dimension_for_each_input(scene: asperity.Scene) -> None:
     assert both.area.quantile([0.05, 0.95], "row").shape == (2, 2)
 
 
+@pytest.mark.parametrize("names", [("separation", "hardness", "asperity_height_std"), ("separation",)])
+def test_no_digit_depends_on_the_size_of_parts(
+    scene: asperity.Scene, names: tuple[str, ...]
+) -> None:
+    rows = {name: column for name, column in drawn(1024).items() if name in names}
+    whole = asperity.sweep(scene, rows, "ke")
+    for size in (1, 64, 333):
+        assert asperity.sweep(scene, rows, "ke", part_size=size).identical(whole)
+
+
 def test_separations_in_metres(scene: asperity.Scene) -> None:
     inputs = {"separation": [1e-6, 2e-6], "asperity_height_std": [0.5e-6, 1e-6]}
     result = asperity.sweep(scene, inputs, "ke", separation_unit="m")
@@ -74,8 +93,8 @@ def test_separations_in_metres(scene: asperity.Scene) -> None:
 
 def test_rows_that_are_refused_raise_or_are_masked(scene: asperity.Scene) -> None:
     inputs = {"separation": 1.0, "hardness": [1e9, 2e9, -1e9]}
-    with pytest.raises(ValueError, match="scene 2: "):
-        asperity.sweep(scene, inputs, "ke")
+    with pytest.raises(ValueError, match="hardness from 2: "):
+        asperity.sweep(scene, inputs, "ke", part_size=1)
     result = asperity.sweep(scene, inputs, "ke", errors="mask")
     assert list(result.status) == [1, 1, 2]
     assert list(np.isnan(result.force)) == [False, False, True]
@@ -98,3 +117,68 @@ def test_a_model_written_in_python(scene: asperity.Scene) -> None:
     assert list(result.status) == [2, 1] and abs(result.force[1] / wanted - 1.0) < 1e-9
     with pytest.raises(ZeroDivisionError, match="too soft"):
         asperity.sweep(scene, inputs, mine)
+
+
+N, PART = 4096, 128
+
+
+def swept(store: Path | None, hardness: float = 2e9) -> xr.Dataset:
+    scene = asperity.Scene.parse(asperity.template()).replace(youngs_modulus=hardness * 100)
+    return asperity.sweep(scene, drawn(N), ["ke", "gw"], store=store, part_size=PART)
+
+
+def states(store: Path) -> Floats:
+    return np.asarray(zarr.open_group(store, mode="r")["status"])
+
+
+def test_a_store_has_the_digits_of_memory_and_refuses_another_sweep(tmp_path: Path) -> None:
+    store = tmp_path / "sweep.zarr"
+    result, wanted = swept(store), swept(None)
+    assert result.compute().equals(wanted)
+    assert (result.force.units, result.hardness.units) == ("N", "Pa")
+    before = {path: path.stat().st_mtime_ns for path in store.rglob("*") if path.is_file()}
+    swept(store)
+    assert before == {path: path.stat().st_mtime_ns for path in store.rglob("*") if path.is_file()}
+    with pytest.raises(ValueError, match="another sweep: scene"):
+        swept(store, 1e9)
+    scene = asperity.Scene.parse(asperity.template()).replace(youngs_modulus=2e11)
+    with pytest.raises(ValueError, match="with other inputs"):
+        asperity.sweep(scene, drawn(64), ["ke", "gw"], store=store)
+    xr.Dataset({"a": 1.0}).to_zarr(tmp_path / "other.zarr", consolidated=False)
+    with pytest.raises(ValueError, match="no store"):
+        swept(tmp_path / "other.zarr")
+
+
+def wait_for(condition: Callable[[], bool]) -> None:
+    end = time.monotonic() + 180.0
+    while not condition():
+        assert time.monotonic() < end, "timeout"
+        time.sleep(0.05)
+
+
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGKILL])
+def test_an_interrupted_sweep_goes_on(how: signal.Signals, tmp_path: Path) -> None:
+    store = tmp_path / "sweep.zarr"
+    script = f"""
+        import sys
+        sys.path.insert(0, {str(Path(__file__).parent)!r})
+        import pathlib, test_sweep
+        test_sweep.swept(pathlib.Path({str(store)!r}))
+        """
+    run = subprocess.Popen(
+        [sys.executable, "-c", textwrap.dedent(script)], stderr=subprocess.PIPE, text=True
+    )
+    try:
+        wait_for(lambda: store.exists() and (states(store) != 0).sum() >= 3 * PART)
+        run.send_signal(how)
+    except BaseException:
+        run.kill()
+        raise
+    _, errors = run.communicate(timeout=120)
+    assert run.returncode != 0
+    assert ("KeyboardInterrupt" in errors) == (how == signal.SIGINT)
+    done = states(store) != 0
+    assert 3 * PART <= done.sum() < 2 * N
+    first = np.asarray(zarr.open_group(store, mode="r")["force"])
+    result = swept(store).compute()
+    assert result.equals(swept(None)) and (result.force.values[done] == first[done]).all()

@@ -1,15 +1,22 @@
-"""Sweeps: models on many scenes, as a dataset of xarray."""
+"""Sweeps: models on many scenes, as a dataset of xarray, in memory or in a Zarr store."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import hashlib
+import inspect
+import json
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from importlib.metadata import version
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from asperity import _asperity
-from asperity._arguments import Floats, Rows, checked_errors, floats, one_scene, place, unit_in
+from asperity._arguments import Floats, Rows, checked_errors, floats, one_scene, place, placed
+from asperity._arguments import unit_in
 from asperity._asperity import Scene
 from asperity._model import Model, as_models
 from asperity._warn import warn
@@ -19,8 +26,9 @@ if TYPE_CHECKING:
 
 #: The meanings of places, with the unit of a load or pressure.
 PLACES = {"separation": None, "load": "N", "pressure": "Pa", "approach": "m"}
-#: The states of a row.
-STATES = {"value": 1, "refused": 2}
+#: What was asked, as an attribute of the result, and the states of a row.
+ASKED = "asperity_sweep"
+STATES = {"missing": 0, "value": 1, "refused": 2}
 
 
 def sample(points: npt.ArrayLike, **inputs: Any) -> dict[str, xr.DataArray]:
@@ -71,6 +79,8 @@ def sweep(
     separation_unit: str = "asperity_height_std",
     *,
     errors: str = "raise",
+    store: str | os.PathLike[str] | None = None,
+    part_size: int = 2**17,
 ) -> xr.Dataset:
     """Quantities of models on many scenes; needs the extra ``asperity[sweep]``.
 
@@ -90,9 +100,16 @@ def sweep(
     errors : "raise" or "mask"
         The treatment of a refused row, as with a negative hardness: it raises with its reason; or
         its values are NaN, and its ``status`` is 2.
+    store : path, optional
+        A Zarr store, which is written part by part. Called again with the same arguments, an
+        interrupted sweep computes the missing parts; the store of another sweep is an error. Only
+        one run may use a store at a time.
+    part_size : int
+        Most rows that are computed at once, on all cores; no digit depends on it.
 
     The result has the quantities with their units, by names with underscores, and ``status``: 1 for
-    values, 2 for refused rows. The inputs are coordinates.
+    values, 2 for refused rows. The inputs are coordinates. With a store, its arrays are those of
+    Dask, which are read on request.
 
     >>> import asperity
     >>> scene = asperity.Scene.parse(asperity.template())
@@ -106,30 +123,59 @@ def sweep(
     axis, arrays = _arrays(scene, inputs, separation_unit)
     engines, heads = as_models(model), _asperity.quantities(quantities)
     whole = xr.broadcast(*arrays.values())
-    dims, shape = whole[0].dims, whole[0].shape
-    columns = {name: one.values.ravel() for name, one in zip(arrays, whole, strict=True)}
-    where = columns.pop("separation" if axis not in PLACES else axis)
-    rows = Rows(scene.vary(**columns), axis, where)
+    sizes = {str(name): int(size) for name, size in whole[0].sizes.items()}
+    coordinates = {name: array.assign_attrs(units=_unit(name, axis)) for name, array in arrays.items()}
+    names: dict[str, Any] = {}
+    if not isinstance(model, str | Model):
+        names = {"model": np.array([engine.id for engine in engines], dtype=object)}
+        sizes = {"model": len(engines), **sizes}
+    if not sizes:
+        raise ValueError("no input varies: an array or several models were required")
+    asked = json.dumps(_identity(scene, engines, heads, rtol, axis, checked_errors(errors)))
+    parts = list(_parts(sizes, part_size))
+    shape = tuple(sizes.values())
+
+    def blank(value: float, dtype: Any) -> Any:
+        if store is None:
+            return np.full(shape, value, dtype)
+        import dask.array
+
+        # Chunks of the store are the parts.
+        chunks = tuple(places.stop - places.start for places in parts[0].values())
+        return dask.array.full(shape, value, dtype=dtype, chunks=chunks)
+
+    values: dict[str, Any] = {
+        q.replace("-", "_"): (tuple(sizes), blank(np.nan, np.float64), {"units": unit_in(head, q)})
+        for q, head in heads.items()
+    }
+    flags = {"flag_values": list(STATES.values()), "flag_meanings": " ".join(STATES)}
+    values["status"] = (tuple(sizes), blank(0, np.int8), flags)
+    result = xr.Dataset(values, {**names, **coordinates}, {ASKED: asked})
+    path = None if store is None else Path(store).absolute()
+    group = None if path is None else _opened(path, result)
     told: dict[str, None] = {}
-    checked_errors(errors)
-    found = [_answer(rows, engine, list(heads), rtol, errors, told) for engine in engines]
+    for region in parts:
+        places = tuple(region.values())
+        if group is not None and group["status"][places].all():
+            continue
+        of_inputs = {name: place for name, place in region.items() if name != "model"}
+        columns = {
+            name: array.isel(of_inputs).values.ravel()
+            for name, array in zip(arrays, whole, strict=True)
+        }
+        engine = engines[region["model"].start if "model" in region else 0]
+        try:
+            found = _answer(scene, engine, axis, columns, heads, rtol, errors, told)
+        except Exception as error:
+            where = ", ".join(f"{name} from {place.start}" for name, place in of_inputs.items())
+            raise placed(f"{where}: ", error) from None
+        # The states are the last: a part counts once they are written.
+        for name, column in found.items():
+            of_part = column.reshape([place.stop - place.start for place in places])
+            (result[name].values if group is None else group[name])[places] = of_part
     for message in told:
         warn(message, 1)
-    coordinates: dict[str, Any] = {
-        name: array.assign_attrs(units=_unit(name, axis)) for name, array in arrays.items()
-    }
-    if not isinstance(model, str | Model):
-        dims, shape = ("model", *dims), (len(engines), *shape)
-        coordinates["model"] = np.array([engine.id for engine in engines], dtype=object)
-    about: dict[str, dict[str, Any]] = {
-        q.replace("-", "_"): {"units": unit_in(head, q)} for q, head in heads.items()
-    }
-    about["status"] = {"flag_values": list(STATES.values()), "flag_meanings": " ".join(STATES)}
-    values = {
-        name: (dims, np.stack([of[name] for of in found]).reshape(shape), attributes)
-        for name, attributes in about.items()
-    }
-    return xr.Dataset(values, coordinates)
+    return result if path is None else xr.open_zarr(path, consolidated=False)
 
 
 def _unit(name: str, axis: str) -> str:
@@ -162,18 +208,94 @@ def _arrays(
     return axis, found
 
 
+def _identity(
+    scene: Scene, engines: list[Model], heads: dict[str, str], rtol: float, axis: str, errors: str
+) -> dict[str, Any]:
+    """What the values depend on beside the inputs, for JSON."""
+    arguments = scene._arguments()
+    origins = [getattr(arguments[name], "_origin", None) for name in ("interface", "surface")]
+    models = []
+    for engine in engines:
+        definition = engine._definition
+        if not isinstance(definition, str):
+            try:
+                definition = inspect.getsource(definition)
+            except (OSError, TypeError):
+                definition = repr(definition)
+        models.append([engine.id, repr(engine.options), definition])
+    return {
+        "asperity": version("asperity"),
+        "scene": hashlib.sha256(repr((arguments, origins)).encode()).hexdigest(),
+        "models": models,
+        "quantities": list(heads),
+        "rtol": rtol,
+        "axis": axis,
+        "errors": errors,
+    }
+
+
+def _parts(sizes: dict[str, int], part_size: int) -> Iterator[dict[str, slice]]:
+    """The regions of the parts: each of one model, cut along the longest dimension of the inputs."""
+    if part_size < 1:
+        raise ValueError(f"part_size is {part_size}: an integer from 1 was required")
+    inputs = {name: size for name, size in sizes.items() if name != "model"}
+    longest = max(inputs, key=inputs.__getitem__, default="")
+    rows = int(np.prod(list(inputs.values())))
+    step = max(1, part_size * inputs.get(longest, 1) // max(rows, 1))
+    for model in range(sizes.get("model", 1)):
+        for first in range(0, inputs.get(longest, 1), step):
+            region = {name: slice(0, size) for name, size in sizes.items()}
+            if "model" in sizes:
+                region["model"] = slice(model, model + 1)
+            if longest:
+                region[longest] = slice(first, min(first + step, inputs[longest]))
+            yield region
+
+
+def _opened(path: Path, plan: xr.Dataset) -> Any:
+    """The store of a sweep, which is made from its plan if it is new; ValueError for another's."""
+    import xarray as xr
+    import zarr
+
+    if not path.exists():
+        temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+        plan.to_zarr(temporary, mode="w", compute=False, consolidated=False)
+        temporary.replace(path)
+    known = xr.open_zarr(path, consolidated=False)
+    if ASKED not in known.attrs:
+        raise ValueError(f"{path} is no store of a sweep: another path was required")
+    there, here = json.loads(known.attrs[ASKED]), json.loads(plan.attrs[ASKED])
+    for name in there.keys() | here.keys():
+        if there.get(name) != here.get(name):
+            raise ValueError(
+                f"{path} holds another sweep: {name} is {there.get(name)!r} there and "
+                f"{here.get(name)!r} here; use another store"
+            )
+    if not known.coords.to_dataset().equals(plan.coords.to_dataset()):
+        raise ValueError(f"{path} holds another sweep, with other inputs; use another store")
+    return zarr.open_group(path, mode="r+")
+
+
 def _answer(
-    rows: Rows,
+    scene: Scene,
     engine: Model,
-    quantities: list[str],
+    axis: str,
+    columns: dict[str, Floats],
+    heads: dict[str, str],
     rtol: float,
     errors: str,
     told: dict[str, None],
 ) -> dict[str, Floats | npt.NDArray[np.int8]]:
-    """The quantities and states of rows by a model; messages are added to those told."""
-    _, found, failures, messages = rows.answer(engine, quantities, rtol, "value", errors)
+    """The quantities and states of rows; messages are added to those told."""
+    where = columns.pop("separation" if axis not in PLACES else axis)
+    if not columns:
+        # A single scene is integrated otherwise, with digits that depend on the other rows.
+        name, value = next(iter((scene.curvature or {"nominal_area": scene.nominal_area}).items()))
+        columns = {name: np.full(where.shape, value)}
+    rows = Rows(scene.vary(**columns), axis, where)
+    _, found, failures, messages = rows.answer(engine, list(heads), rtol, "value", errors)
     told |= dict.fromkeys(messages)
-    states = np.full(rows.shape, STATES["value"], np.int8)
+    states = np.full(where.shape, STATES["value"], np.int8)
     states[list(failures)] = STATES["refused"]
     values = {q.replace("-", "_"): np.ma.filled(column, np.nan) for q, column in found.items()}
     return values | {"status": states}
