@@ -78,7 +78,11 @@ impl SceneFile {
         let of_radii = of_section("curvature", CURVATURE, self.spec.curvature.as_ref());
         let offset = self.spec.surface.mean_plane_offset;
         let of_offset = offset.and_then(|offset| unusual("mean_plane_offset", offset));
-        let found = found.into_iter().chain(of_offset).chain(of_gap);
+        let of_finish = self.spec.surfaces().filter_map(|(section, one)| {
+            let gaussian = matches!(self.spec.heights.distribution, HeightDistribution::Gaussian);
+            one.drawing().filter(|_| gaussian)?.skewed().map(|found| found.within(section))
+        });
+        let found = found.into_iter().chain(of_offset).chain(of_gap).chain(of_finish);
         let found = found.chain(self.of_bodies()).chain(of_pair).chain(of_seal).chain(of_radii);
         let found = found.chain(self.of_outline());
         let mut found: Vec<Finding> =
