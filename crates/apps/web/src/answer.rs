@@ -2,8 +2,8 @@
 
 use asperity::recommended::JKR;
 use asperity::{
-    At, Best, Code, Described, Finding, Findings, Model, Quantity, Request, Severity, Tolerance,
-    shortest_digits,
+    At, Best, Code, ContactError, Described, Finding, Findings, Model, Quantity, Request, Severity,
+    Tolerance, shortest_digits,
 };
 use asperity_answer::{
     ADHESIVE, Answer, Asked, ENDS, Line, Numbers, OPENING, Search, column_of_end, has_property,
@@ -178,14 +178,12 @@ impl std::ops::Deref for Scenes {
 }
 
 impl Scenes {
-    pub(crate) fn of(file: &SceneFile) -> Self {
-        let Ok(points) = file.points() else {
-            return Self { all: vec![file.clone()], ranges: None };
-        };
+    pub(crate) fn of(file: &SceneFile) -> Result<Self, ContactError> {
+        let points = file.points()?;
         let search = Search::over(&points, file.shape().is_some());
         let ranges = (!points.all.is_empty()).then(|| (file.clone(), search.clone()));
         let first = points.all.into_iter().take(search.first());
-        Self { all: [points.middle].into_iter().chain(first).collect(), ranges }
+        Ok(Self { all: [points.middle].into_iter().chain(first).collect(), ranges })
     }
 }
 
@@ -378,7 +376,7 @@ mod tests {
 
     fn scenes() -> Scenes {
         let file = asperity_scene::parse(asperity_scene::template(), std::path::Path::new("."));
-        Scenes::of(&file.unwrap())
+        Scenes::of(&file.unwrap()).unwrap()
     }
 
     fn of(scenes: &Scenes, id: &str, at: At) -> Row {
@@ -418,7 +416,7 @@ mod tests {
 
     fn is_marked(text: &str, id: &str, at: At) -> bool {
         let file = asperity_scene::parse(text, std::path::Path::new(".")).unwrap();
-        of(&Scenes::of(&file), id, at).mark.is_some()
+        of(&Scenes::of(&file).unwrap(), id, at).mark.is_some()
     }
 
     #[test]

@@ -97,7 +97,7 @@ impl Desk {
 
     fn answer(&mut self, message: Message) -> Result<Value, Refusal> {
         Ok(match message {
-            Message::Show { text } => self.show(&text),
+            Message::Show { text } => self.show(&text)?,
             Message::Edit { text, changes, another } => {
                 surface_keys::edited(&text, &changes, another)?.into()
             }
@@ -156,16 +156,16 @@ impl Desk {
     }
 
     /// Reads a text, whose scene answers later messages, and keeps the files that it names alone.
-    fn show(&mut self, text: &str) -> Value {
+    fn show(&mut self, text: &str) -> Result<Value, Refusal> {
         self.forget();
         let (found, file) = read_scene::read(text, &self.files);
         let named = fields::files(text);
         self.files.retain(|name, _| named.contains(name));
         if let Some(file) = &file {
-            self.scenes = Scenes::of(file);
+            self.scenes = Scenes::of(file)?;
         }
         self.file = file;
-        found
+        Ok(found)
     }
 
     /// The values of models at a load with what is found there, and the answer.

@@ -159,7 +159,7 @@ mod tests {
     fn curves_have_band_mark_and_points() {
         let file = file();
         let pressures = [1e5, 1e6, 1e7, 1e8];
-        let scenes = Scenes::of(&file);
+        let scenes = Scenes::of(&file).unwrap();
         let of = |id| rows(&scenes, &compile(&scenes, id).unwrap(), &pressures);
         let (rows, file) = (["gw", "ke"].map(of), &scenes[0]);
         let draw = |rows: &[String], view: &str, load: &str, solved: &[[f64; 2]]| {
@@ -190,7 +190,7 @@ mod tests {
         let ground = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
             poissons_ratio = 0.3\nhardness = 2e9\n[surface]\nra = 8e-7\nfinish = \"ground\"\n";
         let file = asperity_scene::parse(ground, std::path::Path::new(".")).unwrap();
-        let scenes = Scenes::of(&file);
+        let scenes = Scenes::of(&file).unwrap();
         let of = |id| rows(&scenes, &compile(&scenes, id).unwrap(), &[1e5, 1e6, 1e7]);
         let all = ["gw", "ke"].map(of);
         let svg = curves(&file, &asked(&all, "tangent", "100 N", &[])).unwrap();
@@ -208,7 +208,7 @@ mod tests {
     #[test]
     fn a_picture_without_a_curve_has_the_reason_and_one_with_some_names_these() {
         let file = file();
-        let scenes = Scenes::of(&file);
+        let scenes = Scenes::of(&file).unwrap();
         let of = |id| rows(&scenes, &compile(&scenes, id).unwrap(), &[1e5, 1e6, 1e7]);
         let (rows, file) = (["persson-fudge", "gw"].map(of), &scenes[0]);
         let draw = |rows: &[String], view: &str, solved: &[[f64; 2]]| {

@@ -28,10 +28,11 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
         let shown = ranged(of.value, of.ends, of.unit);
         number(&term(&of.name), shown, of.value, &raised(&of.meaning))
     };
+    // A scene also needs numbers at all points of its ranges.
+    let read = read.and_then(|file| Ok((file.check(None)?, file)));
     match read {
-        Ok(file) => {
-            let check = file.check(None);
-            found["numbers"] = check.iter().flat_map(|check| &check.numbers).map(derived).collect();
+        Ok((check, file)) => {
+            found["numbers"] = check.numbers.iter().map(derived).collect();
             let findings = file.warnings.iter().cloned().chain(file.findings()).collect();
             let findings = file.accepted(findings);
             // Values follow from a number that cannot be meant.
