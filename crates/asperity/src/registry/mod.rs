@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::ops::Deref;
 use std::str::FromStr;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -272,7 +272,8 @@ impl FromStr for Model {
 
     /// Reads a model's id, in any case.
     fn from_str(name: &str) -> Result<Self, ContactError> {
-        let models = Self::all();
+        static ALL: OnceLock<Vec<Model>> = OnceLock::new();
+        let models = ALL.get_or_init(Self::all);
         let wanted = match name.trim().to_lowercase() {
             greenwood_tripp if greenwood_tripp == "gt" => "gw-pairs".into(),
             id => id,

@@ -30,6 +30,8 @@ pub struct BestContact<M> {
     pub(super) best: Best<M>,
     pub(super) scene: Scene,
     pub(super) request: Request,
+    /// What was asked for, and that by which answers are judged.
+    quantities: Vec<Quantity>,
     counted: Counted,
     pub(super) candidates: OnceLock<Vec<OnDemand<M>>>,
     pub(super) gaps: Gaps,
@@ -71,7 +73,10 @@ impl<M: Answering> BestContact<M> {
         let (scene, request) = (scene.clone(), request.clone());
         scene.asperity()?;
         let counted = Counted::on::<M>(&scene)?;
-        let made = Self { best, scene, request, counted, candidates, gaps, places };
+        let judged = Quantity::JUDGED.into_iter();
+        let judged = judged.filter(|one| !request.quantities.contains(one));
+        let quantities = request.quantities.iter().copied().chain(judged).collect();
+        let made = Self { best, scene, request, quantities, counted, candidates, gaps, places };
         // A quantity that it lacks, or whose property the scene lacks.
         for quantity in &made.request.quantities {
             match Compared::behind(*quantity) {
@@ -272,7 +277,7 @@ impl<M: Answering> ContactEngine for BestContact<M> {
     }
 
     fn quantities(&self) -> &[Quantity] {
-        &self.request.quantities
+        &self.quantities
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {

@@ -15,7 +15,7 @@ impl Counted {
     pub(crate) fn on<M: Answering>(scene: &Scene) -> Result<Self, ContactError> {
         // With the force law, which finds the separation of a load.
         let asked = Request::new([Quantity::Contacts]).at([At::Pressure(1.0)]);
-        Ok(Self(usual_reference(scene).parse::<M>()?.compile(scene, &asked).ok()))
+        Ok(Self(usual_reference(scene).parse::<M>()?.contact(scene, &asked).ok()))
     }
 
     /// Contacts at a mean pressure \[Pa\]; `None` if unknown.
