@@ -38,7 +38,6 @@ pub use pair::Alignment;
 pub use parameters::Parameters;
 pub use power_law::PowerLaw;
 pub use read::{HeaderLine, MAX_FILE_BYTES, ReadOptions, read, read_bytes, read_header};
-pub use slopes::AtDistance;
 pub use spectrum::{PowerSpectrum, Spectra};
 pub use statistics::{Estimator, Statistics};
 pub use summits::{HeightDensity, Summits};
