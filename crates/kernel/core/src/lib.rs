@@ -41,8 +41,6 @@ pub use error::{integral_failed, positive};
 pub use finding::{Advice, Code, Finding, Findings, Severity};
 pub use heights::HeightDistribution;
 pub use heights::other::{Heights, OtherHeights};
-#[cfg(feature = "statrs")]
-pub use heights::statrs::StandardisedHeights;
 pub use heights::table::TabulatedHeights;
 pub use heights::weibull::WeibullHeights;
 pub use law::formula::{Formula, FunctionKey, Power};
