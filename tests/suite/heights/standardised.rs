@@ -31,7 +31,7 @@ impl<D> StandardisedHeights<D>
 where
     D: Continuous<f64, f64> + Distribution<f64> + Min<f64> + Max<f64> + Send + Sync,
 {
-    /// With the standard deviation `asperity_height_std` \[m\], of a distribution with a finite one.
+    /// With the standard deviation `asperity_height_std` \[m\]; that of the distribution is finite.
     pub fn new(name: &str, distribution: D, asperity_height_std: f64) -> Self {
         let mean = distribution.mean().unwrap();
         let scale = distribution.std_dev().unwrap() / asperity_height_std;

@@ -77,8 +77,8 @@ impl Topography {
 impl Topography {
     /// Root mean square slopes (z(x + d) - z(x))/d over distances d of 1, 2, 4, ... pixels, up to a
     /// quarter of the longer side, each along rows and columns, and curvatures
-    /// (z(x + d) - 2 z(x) + z(x - d))/d² \[1/m\]; `None` beyond the scan. Differences with a missing
-    /// point are left out; a periodic surface continues beyond its edges.
+    /// (z(x + d) - 2 z(x) + z(x - d))/d² \[1/m\]; `None` beyond the scan. Differences with a
+    /// missing point are left out; a periodic surface continues beyond its edges.
     pub(crate) fn scale_dependence(&self) -> impl Iterator<Item = (usize, [[Option<f64>; 2]; 2])> {
         let most = (self.columns().max(self.rows()) / 4).max(1);
         let steps = std::iter::successors(Some(1_usize), |step| Some(2 * step));
