@@ -15,7 +15,6 @@ mod outliers;
 mod pair;
 mod parameters;
 mod power_law;
-mod profile_elements;
 mod read;
 mod slopes;
 mod spectrum;
