@@ -5,9 +5,9 @@ use std::mem::discriminant;
 
 use super::Check;
 use super::findings::{
-    FEW, above_hardness, beyond_fit, crowded, few, missed, share_above, sticks, yields,
+    FEW, above_hardness, beyond_fit, beyond_full_contact, crowded, few, missed, share_above,
+    sticks, yields,
 };
-use super::impossible::beyond_full_contact;
 use super::interferences::Interferences;
 use asperity_core::{
     At, Code, Contact, ContactError, ContactModel, Datum, Finding, Findings, Quantity, Regime,

@@ -3,7 +3,6 @@
 
 mod answer;
 mod findings;
-mod impossible;
 mod interferences;
 mod moduli;
 mod roughness;

@@ -1,7 +1,6 @@
 //! I(s) = ∫ q(w) g(d + w) dw, d = s σ_z, for each kind of heights g.
 
 mod exponential;
-mod other;
 mod overlap;
 mod slope;
 
@@ -11,11 +10,10 @@ use asperity_quadrature::{
     ArrayAccuracy, Density, Moments, Overlap, QuadratureError, ScaledIntegral, ShiftedGaussian,
 };
 
-use crate::engine::onset::Onset;
+use crate::engine::law_units::Onset;
 use crate::{HeightDistribution, Law, Scene};
 use exponential::{EXPONENTIAL, Exponential};
-use other::Other;
-use overlap::{Extent, OverlapIntegral};
+use overlap::{Extent, Other, OverlapIntegral};
 
 use slope::FINER_BELOW;
 pub(crate) use slope::{SLOPES_CANCEL, with_slope_within};
