@@ -162,10 +162,10 @@ fn loads_of_unrelated_scenes_are_met_within_their_bounds() {
 
 #[test]
 fn heavy_tails_and_single_asperities_are_not_confused_with_crossings_elsewhere() {
-    use asperity::StandardisedHeights;
+    use crate::heights::standardised::StandardisedHeights;
     let heavy = statrs::distribution::StudentsT::new(0.0, 1.0, 3.0).unwrap();
     let mut scene = scenes::named("mild");
-    let heights = StandardisedHeights::new("t3", heavy, scene.surface.asperity_height_std).unwrap();
+    let heights = StandardisedHeights::new("t3", heavy, scene.surface.asperity_height_std);
     scene.heights = HeightDistribution::other(heights);
     let contact =
         "gw".parse::<Model>().unwrap().compile(&scene, &Request::new([Quantity::Force])).unwrap();

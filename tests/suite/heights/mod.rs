@@ -2,18 +2,19 @@
 
 mod densities;
 mod refused;
+pub mod standardised;
 mod tables;
 mod weibull;
 
 use std::f64::consts::PI;
 
 use asperity::{
-    HeightDistribution, Heights, Model, Quantity, Scene, StandardisedHeights, Tolerance,
-    greenwood_integral,
+    HeightDistribution, Heights, Model, Quantity, Scene, Tolerance, greenwood_integral,
 };
 use asperity_quadrature::gauss_kronrod;
 use statrs::distribution::{Beta, Normal, Uniform, Weibull};
 
+use self::standardised::StandardisedHeights;
 use crate::scenes::{close, compiled, model, named, upright, value};
 
 const ASKED: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Tangent];
@@ -184,7 +185,7 @@ fn the_tangent_for_exponential_heights_includes_their_jump() {
 fn a_normal_distribution_from_statrs_is_the_gaussian_for_all_models() {
     let std = named("at-paper").surface.asperity_height_std;
     let normal = Normal::new(-3.0, 7.0).unwrap();
-    let heights = StandardisedHeights::new("normal", normal, std).unwrap();
+    let heights = StandardisedHeights::new("normal", normal, std);
     let heights = HeightDistribution::other(heights);
     for model in Model::of_asperities() {
         let gaussian = compiled(&model, &named("at-paper"), &ASKED, 1e-10);
@@ -206,8 +207,8 @@ fn a_normal_distribution_from_statrs_is_the_gaussian_for_all_models() {
 fn bounded_and_skewed_heights_meet_an_independent_quadrature() {
     let std = named("mild").surface.asperity_height_std;
     let weibull = Weibull::new(2.5, 3.0).unwrap();
-    let weibull = StandardisedHeights::new("weibull", weibull, std).unwrap();
-    let beta = StandardisedHeights::new("beta", Beta::new(2.5, 4.0).unwrap(), std).unwrap();
+    let weibull = StandardisedHeights::new("weibull", weibull, std);
+    let beta = StandardisedHeights::new("beta", Beta::new(2.5, 4.0).unwrap(), std);
     // Over the height in standard deviations.
     let per_std = |heights: &dyn Heights, z: f64| heights.ln_density(z * std) + std.ln();
     let all: [Box<dyn Fn(f64) -> f64>; 2] = [
@@ -248,7 +249,7 @@ fn bounded_and_skewed_heights_meet_an_independent_quadrature() {
 fn uniform_heights_have_a_closed_form_and_an_end() {
     let std = named("mild").surface.asperity_height_std;
     let uniform = Uniform::new(1.0, 2.0).unwrap();
-    let heights = StandardisedHeights::new("uniform", uniform, std).unwrap();
+    let heights = StandardisedHeights::new("uniform", uniform, std);
     let scene = on("mild", HeightDistribution::other(heights));
     let found = compiled(&model("gw"), &scene, &ASKED, 1e-12);
     let half = 3f64.sqrt();

@@ -1,14 +1,13 @@
 //! Invalid densities, and densities without an integral: named errors, no panic and no 0.
 
-use asperity::{
-    Case, HeightDistribution, Heights, Quantity, StandardisedHeights, Sweep, Tolerance,
-};
+use asperity::{Case, HeightDistribution, Heights, Quantity, Sweep, Tolerance};
 use std::f64::consts::PI;
 
 use asperity_quadrature::gauss_kronrod;
 use statrs::distribution::{LogNormal, StudentsT};
 
 use super::densities::scene;
+use super::standardised::StandardisedHeights;
 use crate::scenes::{close, compiled, model, value};
 
 /// A density of z in micrometres.
@@ -105,8 +104,7 @@ fn divergent_integrals_are_refused_and_heavy_tails_are_not() {
     assert!(message.contains("diverges"), "{message}");
     // z^-4: finite.
     let heights = StudentsT::new(0.0, 1.0, 3.0).unwrap();
-    let heights =
-        HeightDistribution::other(StandardisedHeights::new("students_t", heights, 1e-6).unwrap());
+    let heights = HeightDistribution::other(StandardisedHeights::new("students_t", heights, 1e-6));
     let found = compiled(&model("gw"), &scene(heights), &[Quantity::Force], 1e-10);
     for separation in [-1e6, 0.0, 1e3, 1e6, 1e9] {
         let found = found.evaluate(Quantity::Force, separation).unwrap();
@@ -127,8 +125,7 @@ fn densities_that_underflow_are_refused() {
         assert!(message.contains("too small above"), "{message}");
     }
     let heights = LogNormal::new(0.0, 1.0).unwrap();
-    let heights =
-        HeightDistribution::other(StandardisedHeights::new("log_normal", heights, 1e-6).unwrap());
+    let heights = HeightDistribution::other(StandardisedHeights::new("log_normal", heights, 1e-6));
     let mut scene = scene;
     scene.heights = heights;
     let found = compiled(&model("gw"), &scene, &[Quantity::Force], 1e-8);

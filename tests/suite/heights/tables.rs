@@ -71,7 +71,9 @@ fn reference(points: &[(f64, f64)], terms: &[Term], d: f64) -> (f64, f64) {
 
 /// Heights about the mean and densities with integral 1.
 fn normalised(table: &TabulatedHeights) -> Vec<(f64, f64)> {
-    table.points().iter().map(|(z, g)| (z - table.mean(), g / table.integral())).collect()
+    let area = |pair: &[(f64, f64)]| 0.5 * (pair[1].0 - pair[0].0) * (pair[0].1 + pair[1].1);
+    let integral: f64 = table.points().windows(2).map(area).sum();
+    table.points().iter().map(|(z, g)| (z - table.mean(), g / integral)).collect()
 }
 
 struct Random(u64);

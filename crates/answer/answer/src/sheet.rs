@@ -126,7 +126,7 @@ impl Sheet {
     }
 
     fn add_once(&mut self, new: Finding) {
-        let is_new = |known: &Finding| known.message() != new.message();
+        let is_new = |known: &Finding| known.to_string() != new.to_string();
         if self.findings.iter().all(is_new) {
             self.findings.push(new);
         }

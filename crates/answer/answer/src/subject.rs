@@ -91,7 +91,7 @@ impl Subject<'_> {
             match found {
                 Ok(text) => sheet.result(whole(&text)),
                 Err(found) => {
-                    let text = whole(&found.message());
+                    let text = whole(&found.to_string());
                     sheet.findings.push(found.fact(text));
                 }
             }

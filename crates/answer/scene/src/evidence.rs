@@ -33,9 +33,10 @@ impl SceneFile {
         }
         let slopes = statistics.moments.texture();
         let slopes = slopes.map_or([1.0; 2], |lay| [lay.slope_along, lay.slope_across]);
-        let shape = SurfaceShape::new(ssk, slopes);
-        let shape = shape.with_slope_skewness(statistics.moments.slope_skewness());
-        Ok(Some(shape.with_hurst(self.hurst())))
+        let mut shape = SurfaceShape::new(ssk, slopes);
+        shape.slope_skewness = statistics.moments.slope_skewness();
+        shape.hurst = self.hurst();
+        Ok(Some(shape))
     }
 
     /// The Hurst exponent of the scan (of two surfaces, the rougher one); if its spectrum follows

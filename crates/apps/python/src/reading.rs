@@ -49,7 +49,9 @@ impl Spacing {
 pub(crate) fn unreadable(error: TopographyError) -> PyErr {
     let message = error.to_string();
     match error {
-        TopographyError::File { source, .. } if source.is_format() => {
+        TopographyError::File { source, .. }
+            if matches!(*source, TopographyError::Format { .. }) =>
+        {
             UnsupportedFormat::new_err(message)
         }
         _ => value_error(message),

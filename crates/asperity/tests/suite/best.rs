@@ -184,7 +184,7 @@ fn without_evidence_the_first_valid_model_answers_without_an_interval() {
     }
     let notes = contact.notes(&[at]);
     assert_eq!(notes[0].code, Code::NoEvidence);
-    assert!(notes[0].message().contains("alpha"), "{}", notes[0].message());
+    assert!(notes[0].to_string().contains("alpha"), "{}", notes[0]);
     let noted = |scene: &Scene| best(scene).notes(&[at]).iter().any(|n| n.code == Code::NoHardness);
     let mut elastic = broad.clone();
     elastic.interface.hardness = None;

@@ -30,19 +30,16 @@ mod units;
 #[doc(hidden)]
 pub use asperity_quadrature::{Density, Moments, Piece};
 pub use asperity_quadrature::{QuadratureError, Sampler};
-pub use engine::case::Case;
 pub use engine::compile::{compile_laws, contact_of_laws};
 #[doc(hidden)]
 pub use engine::parallel::map_runs;
-pub use engine::sweep::Sweep;
+pub use engine::sweep::{Case, Sweep};
 pub use error::ContactError;
 #[doc(hidden)]
 pub use error::{integral_failed, positive};
 pub use finding::{Advice, Code, Finding, Findings, Severity};
 pub use heights::HeightDistribution;
 pub use heights::other::{Heights, OtherHeights};
-#[cfg(feature = "statrs")]
-pub use heights::statrs::StandardisedHeights;
 pub use heights::table::TabulatedHeights;
 pub use heights::weibull::WeibullHeights;
 pub use law::formula::{Formula, FunctionKey, Power};

@@ -160,9 +160,8 @@ impl Scan {
         let at = [asperity::At::Pressure(pressure)];
         let contacts = evaluate(usual_reference(&scene), &scene, &[Quantity::Contacts], at)?;
         let contacts = contacts.values(Quantity::Contacts)?[0];
-        let shape = SurfaceShape::new(self.skewness, [self.slope_ratio, 1.0])
-            .with_slope_skewness(self.slope_skewness)
-            .with_hurst(Some(self.hurst));
+        let mut shape = SurfaceShape::new(self.skewness, [self.slope_ratio, 1.0]);
+        (shape.slope_skewness, shape.hurst) = (self.slope_skewness, Some(self.hurst));
         let expected = evidence.expected(&scene, Some(shape), pressure, Some(contacts)).ok();
         let solved = [self.area, self.stiffness, self.unloading, self.gap];
         let sq = scene.surface.moments().m0.sqrt();

@@ -157,7 +157,7 @@ impl ContactModel for Bem {
         let all: Vec<Solved> =
             all.map(|(given, solution)| (given, contact.summary(solution))).collect();
         notes.extend(all.iter().filter_map(|(_, found)| found.as_ref().ok()?.finding()));
-        contact.notes = self.note().into_iter().chain(notes.into_vec()).collect();
+        contact.notes = self.note().into_iter().chain(notes).collect();
         contact.keep(all);
         Ok(Box::new(contact))
     }

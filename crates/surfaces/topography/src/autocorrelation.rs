@@ -5,6 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::Topography;
 use crate::spectrum::{forward, inverse};
+use crate::topography::extremes;
 
 /// The value of the autocorrelation to which lengths are measured, as ISO 25178-3 sets it.
 /// \[recalled\]
@@ -45,9 +46,10 @@ impl Topography {
     #[must_use]
     pub fn decay(&self) -> Option<Decay> {
         let (contour, touches_edge) = self.contour(DECAYED)?;
-        let (shortest, longest) = extremes(&contour)?;
-        let str = (!touches_edge && !self.is_profile()).then(|| shortest.0 / longest.0);
-        Some(Decay { sal: shortest.0, str })
+        let lengths: Vec<f64> = contour.iter().map(|[x, y]| x.hypot(*y)).collect();
+        let [sal, longest] = extremes(&lengths);
+        let str = (!touches_edge && !self.is_profile()).then(|| sal / longest);
+        sal.is_finite().then_some(Decay { sal, str })
     }
 
     /// The lengths over which the autocorrelation falls to a half, as Peklenik's ratio takes them:
@@ -103,16 +105,6 @@ impl Topography {
         }
         Some((contour, touches_edge))
     }
-}
-
-/// A point of a contour with its distance from lag 0.
-type Lag = (f64, [f64; 2]);
-
-/// The nearest and the farthest point of a contour.
-fn extremes(contour: &[[f64; 2]]) -> Option<(Lag, Lag)> {
-    let lags = || contour.iter().map(|point| (point[0].hypot(point[1]), *point));
-    let by = |one: &Lag, other: &Lag| one.0.total_cmp(&other.0);
-    Some((lags().min_by(by)?, lags().max_by(by)?))
 }
 
 /// The autocorrelation at lags of whole points, 1 at lag 0.

@@ -60,17 +60,13 @@ impl Topography {
         if let Ok(law) = &glance.power_law {
             law.range.iter().for_each(|q| add("radial", "law", *q, Some(law.density(*q))));
         }
-        let [dx, dy] = self.pixel_size();
-        for at in self.scale_dependence() {
-            let step = at.step as f64;
-            for (panel, curve, pixel, value) in [
-                ("slope", "rows", dx, at.slope_rows),
-                ("slope", "columns", dy, at.slope_columns),
-                ("curvature", "rows", dx, at.curvature_rows),
-                ("curvature", "columns", dy, at.curvature_columns),
-            ] {
-                if let Some(value) = value.filter(|value| *value > 0.0) {
-                    add(panel, curve, step * pixel, Some(value));
+        for (step, at) in self.scale_dependence() {
+            for (panel, values) in ["slope", "curvature"].into_iter().zip(at) {
+                let pixels = ["rows", "columns"].into_iter().zip(self.pixel_size());
+                for ((curve, pixel), value) in pixels.zip(values) {
+                    if let Some(value) = value.filter(|value| *value > 0.0) {
+                        add(panel, curve, step as f64 * pixel, Some(value));
+                    }
                 }
             }
         }

@@ -95,8 +95,7 @@ impl Topography {
             let by_distance = |a: &Candidate, b: &Candidate| b.outside().total_cmp(&a.outside());
             body = candidates.select_nth_unstable_by(tail, by_distance).1.outside();
         }
-        let largest = flat.heights().iter().fold(0.0, |largest, z| f64::max(largest, z.abs()));
-        let rounding = ROUNDING * largest;
+        let rounding = ROUNDING * flat.largest();
         let usual = USUAL * usual_distance(&flat, rounding);
         let floor = if body > usual { usual } else { GLOBAL * body }.max(rounding);
         candidates.retain(|one| one.outside() > floor && one.outside() > LOCAL * one.range);

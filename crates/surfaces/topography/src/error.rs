@@ -147,14 +147,6 @@ pub enum TopographyError {
     Contact(#[from] ContactError),
 }
 
-impl TopographyError {
-    /// Whether a file is in a format without a reader.
-    #[must_use]
-    pub fn is_format(&self) -> bool {
-        matches!(self, Self::Format { .. })
-    }
-}
-
 /// A value out of its range.
 pub(crate) fn out_of_range(field: &'static str, value: f64, required: &str) -> TopographyError {
     TopographyError::OutOfRange { field, value, required: required.into() }

@@ -7,7 +7,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use crate::topography::extremes;
 use crate::{
-    AtDistance, Level, Outliers, Parameters, PowerLaw, Spectra, Statistics, Texture, Topography,
+    Level, Outliers, Parameters, PowerLaw, Spectra, Statistics, Texture, Topography,
     TopographyError,
 };
 
@@ -96,12 +96,11 @@ impl Glance {
         let side = if surface.is_profile() { width } else { width.min(height) };
         let long = spectra.as_ref().map(|spectra| spectra.median_wavelength);
         let [one, two] = [1, 2].map(|step| surface.at_distance(step));
-        let ratio = |of: fn(&AtDistance) -> [Option<f64>; 2]| {
-            let square = |at| of(at).into_iter().flatten().map(|rms: f64| rms * rms).sum::<f64>();
-            Some(square(&one) / square(&two)).filter(|ratio| ratio.is_finite())
-        };
-        let m2_over_half = ratio(|at| [at.slope_rows, at.slope_columns]);
-        let m4_over_half = ratio(|at| [at.curvature_rows, at.curvature_columns]);
+        let [m2_over_half, m4_over_half] = [0, 1].map(|of| {
+            let square =
+                |at: [Option<f64>; 2]| at.into_iter().flatten().map(|x| x * x).sum::<f64>();
+            Some(square(one[of]) / square(two[of])).filter(|ratio| ratio.is_finite())
+        });
         let decay = surface.decay();
         let peaks = surface.peaks().ok();
         let of_lay = |of: fn(Texture) -> f64| texture.map(of);

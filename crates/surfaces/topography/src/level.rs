@@ -120,7 +120,7 @@ impl Topography {
     }
 
     /// The largest absolute height \[m\].
-    fn largest(&self) -> f64 {
+    pub(crate) fn largest(&self) -> f64 {
         self.heights().iter().fold(0.0, |largest, height| f64::max(largest, height.abs()))
     }
 }

@@ -199,7 +199,7 @@ impl Topography {
         rows.retain(|(name, ..)| !name.is_empty());
         if self.is_profile() {
             let [rz, rsm] = self.profile_elements();
-            let rdq = self.at_distance(1).slope_rows;
+            let [[rdq, _], _] = self.at_distance(1);
             rows.extend([
                 ("rz", rz, "m", "mean height from lowest to highest point, of five sections"),
                 ("rsm", rsm, "m", "mean width of a hill with a dale"),

@@ -3,8 +3,6 @@
 
 use std::array::from_fn;
 
-use serde::Serialize;
-
 use crate::Topography;
 
 impl Topography {
@@ -76,45 +74,23 @@ impl Topography {
     }
 }
 
-/// Root mean square slopes and curvatures over a distance.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct AtDistance {
-    /// Points from one height to the next.
-    pub step: usize,
-    /// Rms of (z(x + d) - z(x))/d along rows, d = step pixels; `None` beyond the scan.
-    pub slope_rows: Option<f64>,
-    /// Along columns.
-    pub slope_columns: Option<f64>,
-    /// Rms of (z(x + d) - 2 z(x) + z(x - d))/d² along rows \[1/m\].
-    pub curvature_rows: Option<f64>,
-    /// Along columns \[1/m\].
-    pub curvature_columns: Option<f64>,
-}
-
 impl Topography {
-    /// Slopes and curvatures over distances of 1, 2, 4, ... pixels, up to a quarter of the longer
-    /// side. Differences with a missing point are left out; a periodic surface continues beyond
-    /// its edges.
-    #[must_use]
-    pub fn scale_dependence(&self) -> Vec<AtDistance> {
+    /// Root mean square slopes (z(x + d) - z(x))/d over distances d of 1, 2, 4, ... pixels, up to a
+    /// quarter of the longer side, each along rows and columns, and curvatures
+    /// (z(x + d) - 2 z(x) + z(x - d))/d² \[1/m\]; `None` beyond the scan. Differences with a
+    /// missing point are left out; a periodic surface continues beyond its edges.
+    pub(crate) fn scale_dependence(&self) -> impl Iterator<Item = (usize, [[Option<f64>; 2]; 2])> {
         let most = (self.columns().max(self.rows()) / 4).max(1);
         let steps = std::iter::successors(Some(1_usize), |step| Some(2 * step));
-        steps.take_while(|step| *step <= most).map(|step| self.at_distance(step)).collect()
+        steps.take_while(move |step| *step <= most).map(|step| (step, self.at_distance(step)))
     }
 
-    /// Slopes and curvatures over a distance of whole pixels.
-    #[must_use]
-    pub fn at_distance(&self, step: usize) -> AtDistance {
-        let [rows, columns] = [0, 1].map(|axis| self.along(axis, step, 0.0));
-        let slope = |[square, _]: [f64; 2]| square.sqrt();
-        AtDistance {
-            step,
-            slope_rows: rows.0.map(slope),
-            slope_columns: columns.0.map(slope),
-            curvature_rows: rows.1.map(f64::sqrt),
-            curvature_columns: columns.1.map(f64::sqrt),
-        }
+    /// Root mean square slopes over a distance of whole pixels, along rows and columns, and
+    /// curvatures \[1/m\].
+    pub(crate) fn at_distance(&self, step: usize) -> [[Option<f64>; 2]; 2] {
+        let of = [0, 1].map(|axis| self.along(axis, step, 0.0));
+        let slopes = of.map(|(slope, _)| slope.map(|[square, _]| square.sqrt()));
+        [slopes, of.map(|(_, curvature)| curvature.map(f64::sqrt))]
     }
 }
 
@@ -167,10 +143,11 @@ mod tests {
         let n = 96;
         let wave = |k: usize| 3e-7 * (TAU * 4.0 * (k % n) as f64 / n as f64).sin();
         let surface = Topography::new((0..n * n).map(wave).collect(), n, [2e-6, 1e-6]).unwrap();
-        for (k, found) in surface.with_periodic(true).scale_dependence().iter().enumerate() {
-            assert_eq!(found.step, 1 << k);
-            let d = 2e-6 * found.step as f64;
-            let gain = 2.0 * (TAU * 4.0 * found.step as f64 / n as f64 / 2.0).sin().abs();
+        let surface = surface.with_periodic(true);
+        for (k, (step, [slopes, curvatures])) in surface.scale_dependence().enumerate() {
+            assert_eq!(step, 1 << k);
+            let d = 2e-6 * step as f64;
+            let gain = 2.0 * (TAU * 4.0 * step as f64 / n as f64 / 2.0).sin().abs();
             let rms = 3e-7 / 2f64.sqrt();
             let close = |found: Option<f64>, right: f64| {
                 assert!(
@@ -178,9 +155,9 @@ mod tests {
                     "{right}"
                 );
             };
-            close(found.slope_rows, rms * gain / d);
-            close(found.curvature_rows, rms * (gain / d).powi(2));
-            close(found.slope_columns, 0.0);
+            close(slopes[0], rms * gain / d);
+            close(curvatures[0], rms * (gain / d).powi(2));
+            close(slopes[1], 0.0);
         }
     }
 
@@ -188,10 +165,10 @@ mod tests {
     fn open_surfaces_and_missing_points_leave_differences_out() {
         let profile = vec![0.0, 1.0, f64::NAN, 4.0, 6.0, 9.0];
         let profile = Topography::new(profile, 6, [1.0; 2]).unwrap();
-        let one = profile.at_distance(1);
-        assert!((one.slope_rows.unwrap().powi(2) - 14.0 / 3.0).abs() < 1e-12);
-        assert!((one.curvature_rows.unwrap().powi(2) - 1.0).abs() < 1e-12);
-        assert!(one.slope_columns.is_none());
-        assert!(profile.at_distance(6).slope_rows.is_none());
+        let [slopes, curvatures] = profile.at_distance(1);
+        assert!((slopes[0].unwrap().powi(2) - 14.0 / 3.0).abs() < 1e-12);
+        assert!((curvatures[0].unwrap().powi(2) - 1.0).abs() < 1e-12);
+        assert!(slopes[1].is_none());
+        assert!(profile.at_distance(6)[0][0].is_none());
     }
 }

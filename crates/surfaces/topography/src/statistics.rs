@@ -140,7 +140,7 @@ impl Topography {
     fn sampling(&self) -> Option<Finding> {
         if self.is_profile() {
             // Noise has 16 times the m4 at half the pixel size, a smooth profile the same.
-            let m4 = |step| Some(self.at_distance(step).curvature_rows?.powi(2));
+            let m4 = |step| Some(self.at_distance(step)[1][0]?.powi(2));
             let of = (Code::CurvatureFollowsSampling, "m4");
             return warning::follows_sampling(of, [m4(1)?, m4(2)?], 4.0);
         }

@@ -212,18 +212,6 @@ impl Curved {
         }
     }
 
-    /// The bodies.
-    #[must_use]
-    pub fn shape(&self) -> Shape {
-        self.shape
-    }
-
-    /// Points along a side of the grid at a load \[N\].
-    #[must_use]
-    pub fn points_at(&self, load: f64) -> usize {
-        self.points(&Hertz::new(&self.shape, self.layer.modulus, load), self.tolerance)
-    }
-
     fn solve(
         &self,
         hertz: &Hertz,

@@ -238,7 +238,7 @@ impl OfBodies {
         let strength = yield_strength.or(hardness.map(|hardness| hardness / HARDNESS_OVER_YIELD));
         let spacing = self.scene.surface.asperity_density.sqrt().recip();
         let [a, b] = found.axes();
-        let of_radius = match self.curved.shape() {
+        let of_radius = match self.curved.shape {
             Shape::Point { radius_x, radius_y } => a.max(b) / radius_x.min(radius_y),
             Shape::Line { radius, .. } => a / radius,
         };

@@ -70,7 +70,7 @@ impl<M: Answering> BestContact<M> {
                     if why.code == Code::BeyondFullContact
                         || why.code == Code::Crowded && why.value > 1.0 =>
                 {
-                    refused.get_or_insert_with(|| self.refused(why.message()));
+                    refused.get_or_insert_with(|| self.refused(why.to_string()));
                 }
                 (Ok(value), Some(why)) => {
                     invalid.get_or_insert((one, value, Some(why.clone())));

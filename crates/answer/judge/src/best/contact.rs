@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use super::candidates::{OnDemand, Place, SharedPlace};
-use super::counted::Counted;
+use super::candidates::{Counted, OnDemand, Place, SharedPlace};
 use super::model::{Answering, Best, SolvedContact};
 use crate::evidence::{Compared, Evidence, ExpectedContact};
 use asperity_core::{

@@ -4,7 +4,6 @@
 mod candidates;
 mod choice;
 mod contact;
-mod counted;
 mod expected;
 mod load;
 mod model;

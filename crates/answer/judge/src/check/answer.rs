@@ -5,9 +5,9 @@ use std::mem::discriminant;
 
 use super::Check;
 use super::findings::{
-    FEW, above_hardness, beyond_fit, crowded, few, missed, share_above, sticks, yields,
+    FEW, above_hardness, beyond_fit, beyond_full_contact, crowded, few, missed, share_above,
+    sticks, yields,
 };
-use super::impossible::beyond_full_contact;
 use super::interferences::Interferences;
 use asperity_core::{
     At, Code, Contact, ContactError, ContactModel, Datum, Finding, Findings, Quantity, Regime,
@@ -160,12 +160,11 @@ impl Check {
         let sigma = scene.surface.asperity_height_std;
         check.add_number("load", force, "N", "normal force");
         check.add_number("pressure", force / scene.nominal_area, "Pa", "load over A_n");
-        if let Some(Separation { value, .. }) = place {
-            let plane = Datum::AsperityMean.name(&scene.heights);
-            let of = format!("d/sigma_z, from {plane}");
-            check.add_number("separation_over_sigma", value, "", of);
-            check.add_number("separation", value * sigma, "m", format!("d, from {plane}"));
-        }
+        let (place, plane) =
+            (place.map(|place| place.value), Datum::AsperityMean.name(&scene.heights));
+        check.add_number("separation_over_sigma", place, "", format!("d/sigma_z, from {plane}"));
+        let distance = place.map(|value| value * sigma);
+        check.add_number("separation", distance, "m", format!("d, from {plane}"));
         check.add_number("area", area, "m2", format!("real area of contact, by {}", model.id()));
         check.add_number("area_fraction", fraction, "", "real over nominal area");
         check.extend(crowded(model, at, fraction).filter(|_| model.validity().asperities));
@@ -173,16 +172,13 @@ impl Check {
         let pressure = at.pressure(scene).unwrap_or(force / scene.nominal_area);
         check.extend(beyond_full_contact(model, scene, at, [pressure, fraction]));
         check.extend(sticks(model, scene));
-        if let Some(contacts) = contacts {
-            check.add_number("contacts", contacts, "", "asperities that touch");
-            if matches!(at, At::Load(_) | At::Pressure(_)) && contacts > 0.0 && contacts < FEW {
-                check.extend([few(model, at, contacts)]);
-            }
-            if contacts > 0.0 && area > 0.0 {
-                let radius = (area / (std::f64::consts::PI * contacts)).sqrt();
-                check.add_number("contact_radius", radius, "m", "of a contact of mean area");
-            }
-        }
+        check.add_number("contacts", contacts, "", "asperities that touch");
+        let touching = contacts.filter(|contacts| *contacts > 0.0);
+        let is_load = matches!(at, At::Load(_) | At::Pressure(_));
+        let scarce = touching.filter(|contacts| is_load && *contacts < FEW);
+        check.extend(scarce.map(|contacts| few(model, at, contacts)));
+        let each = touching.filter(|_| area > 0.0).map(|n| area / (std::f64::consts::PI * n));
+        check.add_number("contact_radius", each.map(f64::sqrt), "m", "of a contact of mean area");
         let mean = force / area;
         if mean > 0.0 {
             check.add_number("mean_pressure", mean, "Pa", "load over real area");

@@ -3,7 +3,6 @@
 
 mod answer;
 mod findings;
-mod impossible;
 mod interferences;
 mod moduli;
 mod roughness;
@@ -45,7 +44,7 @@ pub struct DerivedNumber {
 /// let check = Check::of(&scene)?;
 /// let finding = &check.findings[0];
 /// assert!(finding.is_implausible() && finding.field == "equivalent_modulus");
-/// assert!(finding.message().ends_with("116 looks like GPa; 116 GPa is 1.16e11 Pa"));
+/// assert!(finding.to_string().ends_with("116 looks like GPa; 116 GPa is 1.16e11 Pa"));
 /// # Ok::<(), asperity_core::ContactError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -85,14 +84,15 @@ impl Check {
         self.findings = std::mem::take(&mut self.findings).by_cause();
     }
 
-    /// Adds a number.
+    /// Adds a number, if there is one.
     pub fn add_number(
         &mut self,
         name: impl Into<Cow<'static, str>>,
-        value: f64,
+        value: impl Into<Option<f64>>,
         unit: &'static str,
         meaning: impl Into<Cow<'static, str>>,
     ) {
+        let Some(value) = value.into() else { return };
         let (name, meaning) = (name.into(), meaning.into());
         self.numbers.push(DerivedNumber { name, value, unit, meaning, ends: None });
     }
@@ -137,60 +137,48 @@ impl Check {
         let mut check = Self::default();
         let (r, sigma) = (surface.asperity_radius, surface.asperity_height_std);
         check.add_number("equivalent_modulus", asperity.equivalent_modulus, "Pa", "E");
-        if let Some(shear) = asperity.equivalent_shear_modulus {
-            check.add_number("equivalent_shear_modulus", shear, "Pa", "G");
-        }
-        if let (Some(hardness), Some(yields)) = (asperity.hardness, asperity.yield_strength) {
-            let ratio = hardness / asperity.equivalent_modulus;
-            check.add_number("hardness", hardness, "Pa", "H of the softer body");
-            check.add_number("yield_strength", yields, "Pa", "S_y of the softer body");
-            check.add_number("hardness_over_modulus", ratio, "", "H/E");
-            // Elastic asperities have no critical interference.
-            if let (Ok(w), Ok(f)) = (asperity.critical_interference(), asperity.critical_force()) {
-                let of_radius = match is_of_pair {
-                    true => format!(
-                        ", with R = {:.4e} m of contacts between both surfaces",
-                        asperity.radius
-                    ),
-                    false => String::new(),
-                };
-                let meaning = format!("w_c = (pi S H/(2 E))^2 R{of_radius}");
-                check.add_number("critical_interference", w, "m", meaning);
-                let meaning = format!("F_c = (2/3) pi R w_c S H{of_radius}");
-                check.add_number("critical_force", f, "N", meaning);
-                let own = match is_of_pair {
-                    true => {
-                        let own = scene.asperity()?.critical_interference()?;
-                        format!("{whose}, whose w_c is {own:.4e} m")
-                    }
-                    false => String::new(),
-                };
-                let meaning = format!("psi = sqrt(sigma_z/w_c), by Chang, Etsion & Bogy{own}");
-                check.add_number("plasticity_index", scene.plasticity_index()?, "", meaning);
+        check.add_number("equivalent_shear_modulus", asperity.equivalent_shear_modulus, "Pa", "G");
+        let ratio = asperity.hardness.map(|hardness| hardness / asperity.equivalent_modulus);
+        check.add_number("hardness", asperity.hardness, "Pa", "H of the softer body");
+        check.add_number("yield_strength", asperity.yield_strength, "Pa", "S_y of the softer body");
+        check.add_number("hardness_over_modulus", ratio, "", "H/E");
+        // Elastic asperities have no critical interference.
+        let critical = asperity.critical_interference().ok();
+        let index = critical.map(|_| scene.plasticity_index()).transpose()?;
+        let (of_radius, own) = match (is_of_pair, critical) {
+            (true, Some(_)) => {
+                let own = scene.asperity()?.critical_interference()?;
+                let radius = asperity.radius;
+                let of_radius =
+                    format!(", with R = {radius:.4e} m of contacts between both surfaces");
+                (of_radius, format!("{whose}, whose w_c is {own:.4e} m"))
             }
-        }
-        if let (Some(work), Some(tabor)) = (asperity.work_of_adhesion, asperity.tabor_parameter()) {
-            check.add_number("work_of_adhesion", work, "J/m2", "w_a");
-            let meaning = format!(
-                "(R w_a^2/(E^2 z0^3))^(1/3), z0 = 0.3 nm: {DMT} below {LEAST_TABOR}, {JKR} above {MOST_TABOR}"
-            );
-            check.add_number("tabor_parameter", tabor, "", meaning);
-            if let Some(stiff) = scene.adhesion_parameter() {
-                let meaning =
-                    "theta = E sigma_z^1.5/(w_a sqrt(R)): above 10 roughness hides adhesion";
-                check.add_number("adhesion_parameter", stiff, "", meaning);
-            }
-        }
+            _ => Default::default(),
+        };
+        let meaning = format!("w_c = (pi S H/(2 E))^2 R{of_radius}");
+        check.add_number("critical_interference", critical, "m", meaning);
+        let meaning = format!("F_c = (2/3) pi R w_c S H{of_radius}");
+        check.add_number("critical_force", asperity.critical_force().ok(), "N", meaning);
+        let meaning = format!("psi = sqrt(sigma_z/w_c), by Chang, Etsion & Bogy{own}");
+        check.add_number("plasticity_index", index, "", meaning);
+        check.add_number("work_of_adhesion", asperity.work_of_adhesion, "J/m2", "w_a");
+        let meaning = format!(
+            "(R w_a^2/(E^2 z0^3))^(1/3), z0 = 0.3 nm: {DMT} below {LEAST_TABOR}, {JKR} above {MOST_TABOR}"
+        );
+        check.add_number("tabor_parameter", asperity.tabor_parameter(), "", meaning);
+        let meaning = "theta = E sigma_z^1.5/(w_a sqrt(R)): above 10 roughness hides adhesion";
+        check.add_number("adhesion_parameter", scene.adhesion_parameter(), "", meaning);
         let moments = surface.moments();
         let gaussian = "of an isotropic Gaussian surface with these asperities";
         check.add_number("asperity_radius", r, "m", "R");
         check.add_number("asperity_density", surface.asperity_density, "1/m2", "eta");
         check.add_number("asperity_height_std", sigma, "m", "sigma_z, of the asperities");
-        if let HeightDistribution::Weibull(heights) = &scene.heights {
-            let meaning =
-                "of the asperity heights, which a Weibull density has; 0 for a Gaussian one";
-            check.add_number("asperity_height_skewness", heights.skewness(), "", meaning);
-        }
+        let skewness = match &scene.heights {
+            HeightDistribution::Weibull(heights) => Some(heights.skewness()),
+            _ => None,
+        };
+        let meaning = "of the asperity heights, which a Weibull density has; 0 for a Gaussian one";
+        check.add_number("asperity_height_skewness", skewness, "", meaning);
         check.add_number("surface_height_std", moments.m0.sqrt(), "m", gaussian);
         check.add_number("rms_gradient", surface.rms_gradient(), "", gaussian);
         check.add_number("bandwidth", moments.bandwidth(), "", "alpha = m0 m4/m2^2, likewise");
@@ -200,17 +188,24 @@ impl Check {
         check.add_number("height_std_over_radius", sigma / r, "", "sigma_z/R");
         let above = "of the asperities above the mean plane";
         check.add_number("mean_plane_offset", scene.mean_plane_offset(), "m", above);
-        if is_of_pair {
-            let (sigma, surface_sigma) =
-                (contacts.surface.asperity_height_std, contacts.surface_height_std());
-            let both = "of both surfaces together, the unit of";
-            let meaning = format!("sigma_z {both} separations");
-            check.add_number("pair_asperity_height_std", sigma, "m", meaning);
-            let meaning = format!("sigma {both} films");
-            check.add_number("pair_surface_height_std", surface_sigma, "m", meaning);
-            let meaning = "of the asperities of both surfaces above their mean planes";
-            let offset = contacts.mean_plane_offset();
-            check.add_number("pair_mean_plane_offset", offset, "m", meaning);
+        for (name, number, meaning) in [
+            (
+                "pair_asperity_height_std",
+                contacts.surface.asperity_height_std,
+                "sigma_z of both surfaces together, the unit of separations",
+            ),
+            (
+                "pair_surface_height_std",
+                contacts.surface_height_std(),
+                "sigma of both surfaces together, the unit of films",
+            ),
+            (
+                "pair_mean_plane_offset",
+                contacts.mean_plane_offset(),
+                "of the asperities of both surfaces above their mean planes",
+            ),
+        ] {
+            check.add_number(name, is_of_pair.then_some(number), "m", meaning);
         }
         check.add_number("nominal_area", scene.nominal_area, "m2", "A_n");
         check.add_number("asperities", scene.asperities(), "", "eta A_n");

@@ -1,5 +1,6 @@
 //! A solved case with the results of boundary elements and of the models.
 
+use asperity_core::Quantity;
 use serde::Serialize;
 
 /// One family of surfaces, one material and one load.
@@ -61,26 +62,34 @@ impl Compared {
     pub const ALL: [Self; 4] =
         [Self::Area, Self::Stiffness, Self::UnloadingStiffness, Self::MeanGap];
 
+    /// Of each its name, its words and its quantity.
+    const TABLE: [(&'static str, &'static str, Option<Quantity>); 4] = [
+        ("area", "real area", Some(Quantity::Area)),
+        ("stiffness", "first-loading stiffness", Some(Quantity::Tangent)),
+        (
+            "unloading_stiffness",
+            "stiffness of small vibrations",
+            Some(Quantity::UnloadingStiffness),
+        ),
+        ("mean_gap", "mean gap", None),
+    ];
+
     /// Its name in columns and keys.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Area => "area",
-            Self::Stiffness => "stiffness",
-            Self::UnloadingStiffness => "unloading_stiffness",
-            Self::MeanGap => "mean_gap",
-        }
+        Self::TABLE[self as usize].0
     }
 
     /// Its name in sentences.
     #[must_use]
     pub fn label(self) -> &'static str {
-        match self {
-            Self::Area => "real area",
-            Self::Stiffness => "first-loading stiffness",
-            Self::UnloadingStiffness => "stiffness of small vibrations",
-            Self::MeanGap => "mean gap",
-        }
+        Self::TABLE[self as usize].1
+    }
+
+    /// The quantity of a contact that is compared; none is the distance of the mean planes.
+    #[must_use]
+    pub fn quantity(self) -> Option<Quantity> {
+        Self::TABLE[self as usize].2
     }
 }
 

@@ -38,7 +38,8 @@ pub struct SurfaceShape {
     pub slope_skewness: f64,
     /// Rms slope across the lay over that along it, at least 1.
     pub slope_ratio: f64,
-    /// Hurst exponent of the spectrum, if it follows a power law and is known.
+    /// Hurst exponent of the spectrum, if it follows a power law and is known. Stiffnesses and gaps
+    /// of broad spectra are refused where it is far from that of the solved surfaces, 0.8.
     pub hurst: Option<f64>,
 }
 
@@ -56,20 +57,6 @@ impl SurfaceShape {
         let ratio = slopes[0] / slopes[1];
         let slope_ratio = ratio.max(ratio.recip());
         Self { skewness, slope_skewness: skewness, slope_ratio, hurst: None }
-    }
-
-    /// The shape with the skewness that its slopes have, where it was measured; without it, that of
-    /// the heights stands in.
-    #[must_use]
-    pub fn with_slope_skewness(self, slope_skewness: f64) -> Self {
-        Self { slope_skewness, ..self }
-    }
-
-    /// The shape with a Hurst exponent, where one was fitted. Stiffnesses and gaps of broad spectra
-    /// are refused where it is far from that of the solved surfaces, 0.8.
-    #[must_use]
-    pub fn with_hurst(self, hurst: Option<f64>) -> Self {
-        Self { hurst, ..self }
     }
 
     /// How it differs from an isotropic Gaussian surface: `skewness -1`, `slopes 2:1`.
@@ -299,6 +286,6 @@ mod tests {
         assert_eq!(shape.rounded(), SurfaceShape::default());
         let ground = SurfaceShape::new(-0.7, [0.05, 0.2]);
         let wanted = SurfaceShape::new(-0.7, [4.0, 1.0]);
-        assert_eq!(ground.with_hurst(Some(0.5)).rounded(), wanted);
+        assert_eq!(SurfaceShape { hurst: Some(0.5), ..ground }.rounded(), wanted);
     }
 }

@@ -14,24 +14,11 @@ impl Compared {
     /// Those of the contact, which must be compiled for the area, the tangent and the unloading
     /// stiffness.
     pub fn of_contact(self, contact: &dyn Contact, at: At) -> Result<f64, ContactError> {
-        let value = |quantity| contact.evaluate(quantity, at).map(|found| found.value());
-        match self {
-            Self::Area => value(Quantity::Area).map(|area| area / contact.scene().nominal_area),
-            Self::Stiffness => value(Quantity::Tangent),
-            Self::UnloadingStiffness => value(Quantity::UnloadingStiffness),
-            Self::MeanGap => contact.separation_in(SeparationUnit::Metres, Datum::SurfaceMean, at),
-        }
-    }
-
-    /// The quantity of a contact that is compared; none is the distance of the mean planes.
-    #[must_use]
-    pub fn quantity(self) -> Option<Quantity> {
-        match self {
-            Self::Area => Some(Quantity::Area),
-            Self::Stiffness => Some(Quantity::Tangent),
-            Self::UnloadingStiffness => Some(Quantity::UnloadingStiffness),
-            Self::MeanGap => None,
-        }
+        let Some(quantity) = self.quantity() else {
+            return contact.separation_in(SeparationUnit::Metres, Datum::SurfaceMean, at);
+        };
+        let unit = if self == Self::Area { contact.scene().nominal_area } else { 1.0 };
+        Ok(contact.evaluate(quantity, at)?.value() / unit)
     }
 
     /// The compared quantity from which a quantity at a load follows.

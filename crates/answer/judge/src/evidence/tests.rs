@@ -47,7 +47,8 @@ fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
     let [mut areas, mut inside_area, mut stiffnesses, mut inside] = [0.0; 4];
     for case in evidence.cases().iter().filter(|case| case.skewness == 0.0).step_by(3) {
         let scene = scene(case.alpha, case.plasticity_index);
-        let shape = SurfaceShape::new(0.0, [case.slope_ratio, 1.0]).with_hurst(Some(0.8));
+        let shape =
+            SurfaceShape { hurst: Some(0.8), ..SurfaceShape::new(0.0, [case.slope_ratio, 1.0]) };
         let pressure = case.load * unit();
         let found = evidence.expected(&scene, Some(shape), pressure, None).unwrap();
         let area = found.estimate(Compared::Area).unwrap();
@@ -115,7 +116,7 @@ fn outside_there_is_no_evidence() {
 fn rough_broad_spectra_have_areas_only() {
     let evidence = Evidence::committed().unwrap();
     let known = |alpha: f64, hurst: Option<f64>| {
-        let shape = SurfaceShape::default().with_hurst(hurst);
+        let shape = SurfaceShape { hurst, ..SurfaceShape::default() };
         let found = evidence.expected(&scene(alpha, 2.0), Some(shape), 0.01 * unit(), None);
         found.unwrap()
     };

@@ -49,7 +49,7 @@ fn an_elastomer_has_no_hardness_and_greenwood_and_williamson_need_none() {
 fn a_load_beyond_full_contact_has_one_warning_and_full_contact_below_the_modulus_none() {
     let found = |file: &SceneFile, id: &str, at: At| {
         let warnings = file.judge(&file.model(id).unwrap(), None, &[at]);
-        let warnings = warnings.at_least(Severity::Warning).into_vec();
+        let warnings = warnings.at_least(Severity::Warning);
         warnings.iter().map(|found| (found.code, found.value)).collect::<Vec<_>>()
     };
     let (steel, soft) = (example("bolted-joint.toml"), example("elastomer-on-glass.toml"));

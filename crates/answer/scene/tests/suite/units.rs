@@ -104,7 +104,7 @@ fn a_unit_that_was_given_is_never_reinterpreted() {
     for (body, surface) in
         [("youngs_modulus = \"210 kPa\"", GROUND), (STEEL, &*GROUND.replace("50 um", "50 m"))]
     {
-        let odd = findings(body, "1e-4", surface).into_vec();
+        let odd = findings(body, "1e-4", surface);
         assert!(!odd.is_empty() && odd.iter().all(|one| one.likely_unit.is_none()), "{odd:?}");
     }
     // Guideways are that large.

@@ -1,5 +1,8 @@
 //! Work on all cores, in order, on platforms with threads.
 
+#[cfg(feature = "rayon")]
+use rayon::prelude::*;
+
 /// From 2048 rows on, threads get runs of 512; fewer rows cost more in threads than alone.
 pub(crate) const MANY: (usize, usize) = (2048, 512);
 
@@ -21,22 +24,13 @@ pub(crate) fn columns<T: Sync, R: Send>(
 }
 
 /// The results of `f` for runs of `length` items, joined in order.
-#[cfg(feature = "rayon")]
 pub fn map_runs<T: Sync, R: Send>(
     items: &[T],
     length: usize,
     f: impl Fn(&[T]) -> Vec<R> + Sync + Send,
 ) -> Vec<R> {
-    use rayon::prelude::*;
-    items.par_chunks(length).flat_map_iter(f).collect()
-}
-
-/// The results of `f` for runs of `length` items, joined in order.
-#[cfg(not(feature = "rayon"))]
-pub fn map_runs<T: Sync, R: Send>(
-    items: &[T],
-    length: usize,
-    f: impl Fn(&[T]) -> Vec<R> + Sync + Send,
-) -> Vec<R> {
+    #[cfg(feature = "rayon")]
+    return items.par_chunks(length).flat_map_iter(f).collect();
+    #[cfg(not(feature = "rayon"))]
     items.chunks(length).flat_map(f).collect()
 }

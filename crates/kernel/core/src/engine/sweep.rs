@@ -10,13 +10,32 @@ use crate::engine::parallel::map_runs;
 use crate::engine::row_integrals::RowIntegrals;
 use crate::engine::shapes::{RecentShapes, Shapes};
 use crate::{
-    At, Case, Contact, ContactError, ContactModel, Evaluation, Quantity, Request, Scene, Tolerance,
+    At, Contact, ContactError, ContactModel, Evaluation, Quantity, Request, Scene, Tolerance,
 };
 
 /// Cases handed to a thread at a time,
 const CASES_PER_RUN: usize = 256;
 /// and where each takes milliseconds: neighbours still share their integrals.
 const SLOW_CASES_PER_RUN: usize = 4;
+
+/// A scene at one separation or load.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Case {
+    /// The scene.
+    pub scene: Scene,
+    /// A separation or a load.
+    pub at: At,
+}
+
+impl Case {
+    /// A scene at a separation or under a load; a plain number is a separation d/σ_z from the mean
+    /// of the asperity heights.
+    #[must_use]
+    pub fn new(scene: Scene, at: impl Into<At>) -> Self {
+        Self { scene, at: at.into() }
+    }
+}
 
 /// One model on many scenes. A part of a law that recurs, up to its units and a factor, is
 /// integrated once for all scales; other parts are integrated for each case, without preparation.

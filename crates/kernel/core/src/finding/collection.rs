@@ -101,12 +101,6 @@ impl Findings {
         };
         Self(kept.iter().filter(|found| !follows(found)).cloned().collect())
     }
-
-    /// As a list, most severe first.
-    #[must_use]
-    pub fn into_vec(self) -> Vec<Finding> {
-        self.0
-    }
 }
 
 impl Finding {

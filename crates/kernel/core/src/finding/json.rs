@@ -5,9 +5,6 @@ use serde::{Serialize, Serializer};
 
 use super::Finding;
 
-/// Values of answers that have a key of their own.
-const OWN_KEYS: [&str; 4] = ["ln_value", "fraction", "condition", "minimum"];
-
 impl Serialize for Finding {
     /// Writes code, severity, field, value, usual and message, and if set unit, model, also (other
     /// models with the same finding), quantity, law, at, count and origin.
@@ -18,7 +15,7 @@ impl Serialize for Finding {
         map.serialize_entry("field", &self.field)?;
         map.serialize_entry("value", &self.value)?;
         map.serialize_entry("usual", &self.usual)?;
-        map.serialize_entry("message", &self.message())?;
+        map.serialize_entry("message", &self.to_string())?;
         if !self.unit.is_empty() {
             map.serialize_entry("unit", self.unit)?;
         }
@@ -40,9 +37,6 @@ impl Serialize for Finding {
         }
         if let Some(origin) = &self.origin {
             map.serialize_entry("origin", origin)?;
-        }
-        if OWN_KEYS.contains(&&*self.field) {
-            map.serialize_entry(&*self.field, &self.value)?;
         }
         map.end()
     }

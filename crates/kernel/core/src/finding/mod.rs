@@ -30,11 +30,7 @@ pub enum Severity {
 
 impl fmt::Display for Severity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(match self {
-            Self::Refusal => "refusal",
-            Self::Warning => "warning",
-            Self::Note => "note",
-        })
+        self.serialize(f)
     }
 }
 
@@ -238,12 +234,6 @@ impl Finding {
     #[must_use]
     pub fn within(self, section: &str) -> Self {
         Self { field: format!("{section}.{}", self.field).into(), ..self }
-    }
-
-    /// The whole text.
-    #[must_use]
-    pub fn message(&self) -> String {
-        self.to_string()
     }
 
     /// Ratio of the value to the bound of its usual range: 1 at the bound, infinite where no ratio

@@ -1,8 +1,6 @@
 //! Distributions of asperity heights.
 
 pub(crate) mod other;
-#[cfg(feature = "statrs")]
-pub(crate) mod statrs;
 pub(crate) mod table;
 pub(crate) mod weibull;
 

@@ -15,8 +15,9 @@ use crate::{
 /// A model applied to a scene: shared by threads, for many evaluations.
 ///
 /// Its own methods are those for callers: `evaluate`, `force_and_tangent`, `respond`, `separation`,
-/// `separations`, `separation_in`, `shares` and `prepare`. [`ContactEngine`] has the rest: plain
-/// arrays, plans and the pull-off, and what a model that is no average over heights implements.
+/// `separation_in`, `shares` and `prepare`. [`ContactEngine`] has the rest: all separations of a
+/// load, plain arrays, plans and the pull-off, and what a model that is no average over heights
+/// implements.
 ///
 /// Compiling integrates nothing: each range of separations (a unit below 0, a few tenths above) is
 /// integrated at its first call, which takes 0.04 to 0.5 ms for most models, 50 to 100 ms for
@@ -272,18 +273,6 @@ impl dyn Contact + '_ {
     #[must_use]
     pub fn respond(&self, request: &Request) -> Response {
         self.respond_to(request)
-    }
-
-    /// All separations of a place: those at which a load is carried, ascending; that of a
-    /// separation itself.
-    ///
-    /// # Errors
-    /// The errors of [`separations_at`](ContactEngine::separations_at).
-    pub fn separations(&self, at: impl Into<At>) -> Result<Vec<Separation>, ContactError> {
-        match at.into() {
-            At::Separation(separation) => Ok(vec![separation]),
-            at => self.separations_at(at.load(self.scene()).unwrap_or(f64::NAN)),
-        }
     }
 
     /// Integrates all that later calls at separations from `from` to `to` \[σ_z from the mean of

@@ -18,11 +18,7 @@ pub enum Provenance {
 
 impl fmt::Display for Provenance {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Seen => "seen",
-            Self::Derived => "derived",
-            Self::Recalled => "recalled",
-        })
+        self.serialize(f)
     }
 }
 

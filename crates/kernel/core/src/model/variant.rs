@@ -35,12 +35,6 @@ impl Variant {
         Self { model: Arc::new(model), word, id, name, differs, what, validity }
     }
 
-    /// The model whose laws these are.
-    #[must_use]
-    pub fn model(&self) -> &dyn ContactModel {
-        &*self.model
-    }
-
     /// The laws of one upright asperity without adhesion, to be averaged over Gaussian heights.
     ///
     /// # Errors

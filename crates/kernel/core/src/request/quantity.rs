@@ -62,18 +62,12 @@ impl Quantity {
     /// The quantity that gives this one its sign: the force for a pressure or its logarithm.
     pub(crate) fn origin(self) -> Self {
         match self.derivation() {
-            Derivation::Integral
-            | Derivation::IntegralOrSlope(_)
-            | Derivation::Slope(_)
-            | Derivation::Flow
-            | Derivation::Gap
-            | Derivation::Map
-            | Derivation::Seal
-            | Derivation::Bodies => self,
             Derivation::PerNominalArea(of) | Derivation::Logarithm(of) => of.origin(),
             Derivation::Ratio(above, _) => above.origin(),
             Derivation::ContactRadii(..) => Self::ContactRadiusSum,
             Derivation::RegimeShare(_) => Self::Force,
+            // Integrals, slopes, and what follows from no law.
+            _ => self,
         }
     }
 

@@ -25,23 +25,8 @@ impl Column {
     /// # Errors
     /// The first reason why a row has no value.
     pub fn values(&self) -> Result<Vec<f64>, ContactError> {
-        self.each(Evaluation::value)
-    }
-
-    /// Bounds on the errors: relative, but differences for logarithms and shares.
-    ///
-    /// # Errors
-    /// The first reason why a row has no value.
-    pub fn bounds(&self) -> Result<Vec<f64>, ContactError> {
-        self.each(|evaluation| evaluation.bound(self.quantity))
-    }
-
-    fn each(&self, f: impl Fn(&Evaluation) -> f64) -> Result<Vec<f64>, ContactError> {
-        let of = |row: &Result<Evaluation, Box<ContactError>>| match row {
-            Ok(evaluation) => Ok(f(evaluation)),
-            Err(error) => Err((**error).clone()),
-        };
-        self.rows.iter().map(of).collect()
+        let found = self.rows.iter().map(|row| row.as_ref().map(Evaluation::value));
+        found.collect::<Result<_, _>>().map_err(|error| (**error).clone())
     }
 }
 

@@ -73,17 +73,12 @@ impl Scene {
     /// # Errors
     /// [`ContactError`] naming the field, the value and what was required.
     pub fn asperity(&self) -> Result<Asperity, ContactError> {
-        self.check_surface()?;
-        let one = Asperity::new(&self.interface, self.surface.asperity_radius)?;
-        Ok(Asperity { density: Some(self.surface.asperity_density), ..one })
-    }
-
-    /// Checks every field but the interface.
-    pub(crate) fn check_surface(&self) -> Result<(), ContactError> {
         self.surface.check()?;
         positive("nominal_area", self.nominal_area)?;
         let offset = self.mean_plane_offset.unwrap_or(0.0);
-        require(offset.is_finite(), "mean_plane_offset", offset, "a finite number").map(drop)
+        require(offset.is_finite(), "mean_plane_offset", offset, "a finite number")?;
+        let one = Asperity::new(&self.interface, self.surface.asperity_radius)?;
+        Ok(Asperity { density: Some(self.surface.asperity_density), ..one })
     }
 
     /// Height of the mean of the asperities above the mean plane of `surface` \[m\].
