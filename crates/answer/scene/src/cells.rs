@@ -51,10 +51,10 @@ impl<'t> Cells<'t> {
             return Err(table.syntax(line, reason));
         }
         match table.rows.is_empty() {
-            true => Err(SceneError::Refused {
-                at: Box::new(Place { line: None, ..*table.place(line, "CSV") }),
-                reason: "no row of values under the header".into(),
-            }),
+            true => {
+                let at = Place { line: None, ..*table.place(line, "CSV") };
+                Err(SceneError::refused(at, "no row of values under the header"))
+            }
             false => Ok(table),
         }
     }
@@ -79,7 +79,7 @@ impl<'t> Cells<'t> {
 
     /// The error about a line.
     pub(crate) fn syntax(&self, line: usize, reason: String) -> SceneError {
-        SceneError::Refused { at: self.place(line, "CSV"), reason }
+        SceneError::refused(self.place(line, "CSV"), reason)
     }
 
     /// A number; its comma is a decimal comma where commas do not separate cells.

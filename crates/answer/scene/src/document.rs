@@ -15,7 +15,7 @@ use toml::{Spanned, Table, Value};
 use crate::error::{Place, SceneError};
 use crate::keys::{COUNTERFACE, Field, Key, Subject, joined, keys_of, section_and_name};
 use crate::origin::Provenance;
-use crate::quantity::{in_si, range_hint};
+use crate::quantity::in_si;
 use crate::text_file::shorten;
 use crate::unknown::Unknown;
 
@@ -101,8 +101,6 @@ impl<'a> Document<'a> {
                 Some(units) => {
                     let number = in_si(text, key, units).map_err(|hint| {
                         let (at, found) = (self.place(path), format!("{:?}", shorten(text)));
-                        let range = range_hint(text).filter(|_| may_have_range(path));
-                        let hint = range.unwrap_or(hint);
                         SceneError::notation(at, &found, &hint)
                     })?;
                     self.origin.stated.push(path.into());
@@ -131,7 +129,7 @@ impl<'a> Document<'a> {
     /// The middle of the range of a number that is written as two values; keeps the ends.
     ///
     /// # Errors
-    /// [`SceneError::Wrong`] where one end has a unit and the other, which is not 0, has none.
+    /// [`SceneError::Refused`] where one end has a unit and the other, which is not 0, has none.
     fn range(&mut self, path: &str, items: &[Value]) -> Result<Option<Value>, SceneError> {
         let number = |item: &Value| item.as_float().or_else(|| item.clone().try_into().ok());
         let numbers = items.iter().map(number).collect::<Option<Vec<f64>>>();
@@ -170,14 +168,9 @@ impl<'a> Document<'a> {
             .try_fold(found, |found, name| found.get(name))
     }
 
-    /// The number of a key.
-    pub(crate) fn number(&self, path: &str) -> Result<Option<f64>, SceneError> {
-        self.get(path)
-    }
-
     /// The number of a key that a scene must have.
     pub(crate) fn needed_number(&self, path: &str) -> Result<f64, SceneError> {
-        self.number(path)?
+        self.get(path)?
             .ok_or_else(|| self.missing(path, format!("a number ({})", Key::meaning(path))))
     }
 
@@ -189,7 +182,7 @@ impl<'a> Document<'a> {
         into: &mut T,
     ) -> Result<(), SceneError> {
         for Field { name, set, .. } in fields {
-            if let Some(number) = self.number(&joined(section, name))? {
+            if let Some(number) = self.get(&joined(section, name))? {
                 set(into, number);
             }
         }
@@ -275,9 +268,9 @@ impl<'a> Document<'a> {
         let Files::Handed(files) = self.files else { return Ok(None) };
         let found = path.to_str().and_then(|name| files.get(name));
         found.map(|bytes| Some(bytes.as_slice())).ok_or_else(|| {
-            let at = self.place(field);
-            let at = Box::new(Place { field: format!("{} = {path:?}", at.field), ..*at });
-            SceneError::Refused { at, reason: "the file has not been chosen".into() }
+            let at = *self.place(field);
+            let at = Place { field: format!("{} = {path:?}", at.field), ..at };
+            SceneError::refused(at, "the file has not been chosen")
         })
     }
 

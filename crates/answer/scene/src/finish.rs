@@ -46,7 +46,7 @@ impl Drawing {
         let finish = word.map(|word| named(document, &at("finish"), &word)).transpose()?;
         let mut drawing = Self { finish, ..Self::default() };
         for key in FINISH.iter().filter(|key| **key != "finish") {
-            drawing.numbers.extend(document.number(&at(key))?.map(|number| (*key, number)));
+            drawing.numbers.extend(document.get(&at(key))?.map(|number| (*key, number)));
         }
         match drawing.conflict() {
             Some((one, other, needed)) => Err(document.conflict(&at(one), &at(other), needed)),

@@ -17,7 +17,7 @@ pub(crate) fn bodies(document: &Document<'_>) -> Result<Bodies, SceneError> {
     let count = document.get::<Vec<Value>>("body")?.map_or(0, |bodies| bodies.len());
     let each = (1..=count).map(|k| body(document, &format!("body[{k}]")));
     let each = each.collect::<Result<Vec<_>, _>>()?;
-    let work_of_adhesion = document.number("work_of_adhesion")?;
+    let work_of_adhesion = document.get("work_of_adhesion")?;
     if let Some(interface) = equivalent(document)? {
         if let Some(other) = ["body", "rigid_counterface"].into_iter().find(|key| document.has(key))
         {

@@ -19,10 +19,6 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
     let path = path.as_ref();
     let place = |field: &str| Place { file: Some(path.to_path_buf()), ..Place::field(field) };
     let text = read_text(path, SAVE_AS_CSV, || place("the data"))?;
-    if text.lines().any(|line| ["[[body]]", "[surface]", "[interface]"].contains(&line.trim())) {
-        let reason = "the file looks like a scene, not like measurements; give the scene first, then the measurements";
-        return Err(SceneError::Refused { at: place("CSV").into(), reason: reason.into() });
-    }
     let needed = "a header, for example load_N,unloading_stiffness_N_per_m";
     let mut table = Cells::read(&text, path, needed)?;
     let units = table.units(is_unit);
@@ -38,7 +34,7 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
             if let [first, second, ..] = models[..] {
                 let needed = "the rows of one model, or data without this column";
                 let found = format!("{first} and {second}");
-                return Err(SceneError::value(place("model").into(), found, needed));
+                return Err(SceneError::value(place("model"), found, needed));
             }
         } else {
             let odd = "is no number, and no fit reads this column; remove it";

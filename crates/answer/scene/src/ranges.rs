@@ -261,10 +261,7 @@ impl SceneFile {
     /// # Errors
     /// [`SceneError::Refused`] for another word, and for numbers that no scene has.
     pub fn taken_at(&self, end: &str) -> Result<(Self, Option<Finding>), SceneError> {
-        let refused = |reason: String| {
-            let at = Place::field("at").into();
-            SceneError::Refused { at, reason }
-        };
+        let refused = |reason: String| SceneError::refused(Place::field("at"), reason);
         let (share, place) = match end {
             "lower" => (0.0, "at the lower end"),
             "middle" => (0.5, "in the middle"),

@@ -17,7 +17,7 @@ use crate::keys::{COUNTERFACE, CURVATURE, Field, SEAL, joined, keys_of};
 use crate::measured::Scan;
 use crate::options::ModelOptions;
 use crate::resolve::resolve;
-use crate::scans::{Asked, Scans, density};
+use crate::scans::{self, Asked, density, notes};
 use crate::scene_file::SceneFile;
 use crate::seal::Seal;
 use crate::spec::{HeightsSpec, SceneSpec};
@@ -52,14 +52,15 @@ fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
     );
     let text = read_text(path, &advice, named)?;
     let folder = path.parent().unwrap_or(Path::new(""));
+    let is_toml = path.extension().is_some_and(|end| end == "toml");
     let document = Document::new(Some(path), Files::In(folder), &text);
-    let read = document.and_then(|document| scene_file(&document, asked));
-    read.map_err(|error| match error {
-        SceneError::Refused { at, reason } if path.extension().is_none_or(|end| end != "toml") => {
-            SceneError::Refused { at, reason: format!("{reason}; {advice}") }
+    let document = document.map_err(|error| match error {
+        SceneError::Refused { at, link: ": ", reason } if !is_toml => {
+            SceneError::refused(at, format!("{reason}; {advice}"))
         }
         error => error,
-    })
+    });
+    scene_file(&document?, asked)
 }
 
 /// Reads a scene from its text; relative paths in it are relative to `directory`.
@@ -114,7 +115,7 @@ fn check_curvature(document: &Document<'_>, bodies: Curvature) -> Result<(), Sce
 }
 
 /// What a document says of its scene.
-fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scans>), SceneError> {
+fn spec(document: &Document<'_>, asked: Asked) -> Result<SceneSpec, SceneError> {
     document.check_sections()?;
     let options = ModelOptions::default().with_keys(document, "options")?;
     let curvature = section(document, "curvature", CURVATURE)?;
@@ -130,15 +131,12 @@ fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scan
     };
     let names: Vec<String> = document.get("accept")?.unwrap_or_default();
     let accept = names.iter().map(|name| Code::named(name)).collect::<Result<_, _>>();
-    let accept = accept.map_err(|reason| {
-        let at = document.place("accept");
-        SceneError::Refused { at, reason }
-    })?;
+    let accept =
+        accept.map_err(|reason: String| SceneError::refused(document.place("accept"), reason))?;
     let bodies = bodies(document)?;
     let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
     let heights = heights(document)?;
-    let Surfaces { first, second, is_smooth, scans } = surfaces(document, &heights, asked)?;
-    let pressed = scans.as_ref().and_then(|scans| scans.sum.clone());
+    let Surfaces { first, second, is_smooth, pressed } = surfaces(document, &heights, asked)?;
     let number = |key| document.needed_number(key);
     let gas = match document.has("gap") {
         true => Some(Gas {
@@ -164,26 +162,27 @@ fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scan
         scan.measured.as_ref().is_some_and(|own| own.statistics.surface().is_ok())
     };
     let scan = spec.single_scan().filter(has_asperities).filter(|_| spec.heights.is_measured);
-    if let Some((scan, scans)) = scan.zip(scans.as_ref()) {
-        let points = density(&scan.topography).map_err(|why| scans.refused(document, &why))?;
+    if let Some(scan) = scan {
+        let points = density(&scan.topography);
+        let points = points.map_err(|why| scans::refused(document, &spec, &why))?;
         let table = TabulatedHeights::new("measured", &points);
         let table = HeightsSpec::of_table(table.map_err(document.refused("surface"))?);
         spec.heights = HeightsSpec { is_measured: true, ..table };
     }
-    Ok((spec, scans))
+    Ok(spec)
 }
 
 pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
-    let (spec, scans) = spec(document, asked)?;
+    let spec = spec(document, asked)?;
     let (scene, measured) = resolve(&spec).map_err(|fault| refused(document, &spec, fault))?;
     let mut found = vec![];
-    if let Some((scans, together)) = scans.as_ref().zip(measured.as_ref()) {
+    if let Some(together) = &measured {
         let no_asperities = together.statistics.surface().err();
         // Only models without asperities are valid for it.
         if let Some(reason) = no_asperities.as_ref().filter(|_| asked == Asked::Asperities) {
-            return Err(scans.refused(document, reason));
+            return Err(scans::refused(document, &spec, reason));
         }
-        found.extend(scans.notes(document, &together.statistics));
+        found.extend(notes(document, &spec, &together.statistics));
     }
     found.extend(smooth_counterface(&spec));
     if let (Some(table), false) = (&spec.heights.table, spec.heights.is_measured) {
@@ -202,7 +201,7 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     let warnings = found.into_iter().collect::<Findings>().silenced(&spec.accept);
     let mut origin = document.origin.clone();
     let scans = spec.surfaces().filter_map(|(_, one)| one.scan()?.source.as_ref());
-    origin.files = scans.map(|(path, _)| path.clone()).collect();
+    origin.files = scans.map(|scan| document.whole_path(&scan.path)).collect();
     let mut file = SceneFile {
         warnings,
         origin: Some(Arc::new(origin)),

@@ -173,9 +173,9 @@ impl SceneFile {
             return Ok(());
         }
         let own = Provenance::default();
-        let at = self.origin.as_deref().unwrap_or(&own).place("curvature").into();
+        let at = self.origin.as_deref().unwrap_or(&own).place("curvature");
         let reason = "films, boundary elements, joints, exports and fits are of flat bodies: write nominal_area instead of [curvature]";
-        Err(SceneError::Refused { at, reason: reason.into() })
+        Err(SceneError::refused(at, reason))
     }
 
     /// The scene with this scan to be pressed by boundary elements.

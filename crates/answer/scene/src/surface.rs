@@ -12,7 +12,7 @@ use crate::keys::{COUNTERFACE, KEYS, Key, Subject, joined};
 use crate::measured::Scan;
 use crate::resolve::Fault;
 use crate::roughness::{Roughness, Way};
-use crate::scans::{Asked, Scans};
+use crate::scans::{Asked, scans};
 use crate::spec::{Description, HeightsSpec, SceneSpec, SurfaceSpec};
 use crate::text_file::shorten;
 
@@ -72,7 +72,8 @@ pub(crate) struct Surfaces {
     pub(crate) second: Option<SurfaceSpec>,
     /// Whether `counterface = "smooth"` is written.
     pub(crate) is_smooth: bool,
-    pub(crate) scans: Option<Scans>,
+    /// The sum of two aligned scans.
+    pub(crate) pressed: Option<Arc<Scan>>,
 }
 
 /// What was written of the surfaces; the standard deviation of a table of heights is the default of
@@ -102,12 +103,13 @@ pub(crate) fn surfaces(
     if has_scan && first.iter().chain(&second).any(|one| is_drawn(&one)) {
         let at = document.place(if first.is_some() { "surface" } else { COUNTERFACE });
         let reason = "the ranges of a finish do not add to the moments of a scan: describe this surface by a scan or by m0, m2 and m4, or both by ra and finish";
-        return Err(SceneError::Refused { at, reason: reason.into() });
+        return Err(SceneError::refused(at, reason));
     }
     let beside_numbers = first.is_some() || second.is_some();
-    let scans = has_scan.then(|| Scans::read(document, heights.is_measured, asked, beside_numbers));
-    let scans = scans.transpose()?;
-    let each: Vec<Arc<Scan>> = scans.iter().flat_map(Scans::list).cloned().collect();
+    let (each, pressed) = match has_scan {
+        true => scans(document, heights.is_measured, asked, beside_numbers)?,
+        false => (vec![], None),
+    };
     let mut each = each.into_iter();
     let mut of = |section: &'static str, by: Option<(Description, &str)>| {
         let Some(by) = by.map(|(by, _)| by).or_else(|| each.next().map(Description::Scan)) else {
@@ -115,8 +117,8 @@ pub(crate) fn surfaces(
         };
         Ok(Some(SurfaceSpec {
             by,
-            mean_plane_offset: document.number(&joined(section, "mean_plane_offset"))?,
-            peklenik_number: document.number(&joined(section, "peklenik_number"))?,
+            mean_plane_offset: document.get(&joined(section, "mean_plane_offset"))?,
+            peklenik_number: document.get(&joined(section, "peklenik_number"))?,
         }))
     };
     let first = of("surface", first)?.ok_or_else(|| document.missing("surface", one_way()))?;
@@ -124,12 +126,12 @@ pub(crate) fn surfaces(
         true if first.scan().is_some() => {
             let at = document.place(COUNTERFACE);
             let reason = "\"same\" is of a surface by numbers; name a file in each section";
-            return Err(SceneError::Refused { at, reason: reason.into() });
+            return Err(SceneError::refused(at, reason));
         }
         true => Some(first.clone()),
         false => of(COUNTERFACE, second)?,
     };
-    Ok(Surfaces { first, second, is_smooth, scans })
+    Ok(Surfaces { first, second, is_smooth, pressed })
 }
 
 /// How a section describes its surface, with the key that decides it; `None` by a scan.
@@ -148,7 +150,7 @@ fn described(
     let mut numbers = [0.0; 3];
     for (key, value) in names.iter().zip(&mut numbers) {
         let by_table = || table_std.filter(|_| *key == STD);
-        *value = document.number(&at(key))?.or_else(by_table).ok_or_else(|| {
+        *value = document.get(&at(key))?.or_else(by_table).ok_or_else(|| {
             document.missing(&at(key), format!("{} go together", names.join(", ")))
         })?;
     }
@@ -167,7 +169,7 @@ pub(crate) fn refused(
     let odd = numbers.into_iter().filter(|_| is_positive).find_map(|(key, value)| {
         let path = joined(&section, key);
         let unit = unusual(key, value)?.likely_unit.filter(|_| !document.origin.is_stated(&path));
-        Some(SceneError::Refused { at: document.place(&path), reason: unit? })
+        Some(SceneError::refused(document.place(&path), unit?))
     });
     odd.unwrap_or_else(|| document.refused(&section)(source))
 }

@@ -12,7 +12,6 @@ use crate::error::{Place, SceneError};
 use crate::input::OWN;
 use crate::keys::{BODY, Field, Key, joined, keys_of};
 use crate::materials::Material;
-use crate::measured::Scan;
 use crate::read::scene_file;
 use crate::roughness::{Roughness, Way};
 use crate::scans::Asked;
@@ -198,7 +197,9 @@ impl SurfaceSpec {
                 let finish = drawing.finish.map(|word| ("finish".into(), word.into()));
                 drawing.by_key().map(number).chain(finish).collect()
             }
-            Description::Scan(scan) => keys_of_scan(scan),
+            Description::Scan(scan) => {
+                scan.source.as_ref().map_or_else(Table::new, |source| source.written.clone())
+            }
         };
         let own = |field: &Field<Self>| Some((field.name.into(), (field.get)(self)?.into()));
         keys.extend(OWN.iter().filter_map(own));
@@ -222,16 +223,8 @@ fn section_mut<'t>(top: &'t mut Table, section: &str) -> Option<&'t mut Table> {
     })
 }
 
-/// The path of a scan, and the keys by which it was read.
-fn keys_of_scan(scan: &Scan) -> Table {
-    let Some((path, keys)) = &scan.source else { return Table::new() };
-    let mut keys = keys.clone();
-    keys.insert("file".into(), (&*path.to_string_lossy()).into());
-    keys
-}
-
 fn unwritable(at: Place, reason: &str) -> SceneError {
-    SceneError::Refused { at: at.into(), reason: format!("cannot be written: {reason}") }
+    SceneError::refused(at, format!("cannot be written: {reason}"))
 }
 
 /// The keys of a section, one per line, in the order of the template; numbers have a comment with
