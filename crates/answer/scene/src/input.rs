@@ -1,8 +1,6 @@
 //! Numbers of a scene that can be read and replaced, by the sections in which they are written.
 
-use asperity::{Code, Finding};
-
-use crate::keys::{BODIES, COUNTERFACE, Field, INTERFACE, OF_PAIR, SECOND, joined};
+use crate::keys::{BODIES, COUNTERFACE, Field, OF_PAIR, SECOND};
 use crate::spec::{Bodies, SceneSpec, SurfaceSpec};
 
 /// The numbers of the contact as a whole.
@@ -76,24 +74,6 @@ impl SceneInput {
             Of::Gap => "gap",
             Of::Seal => "seal",
         }
-    }
-
-    /// Whether a finding is of this number.
-    pub(crate) fn is_of(self, found: &Finding, spec: &SceneSpec) -> bool {
-        let path = joined(self.section(&spec.bodies), self.key);
-        found.field == self.key || found.field == path
-    }
-
-    /// Whether a finding is of this number or, for a material, of another one beside which it is
-    /// judged.
-    pub(crate) fn is_beside(self, found: &Finding, spec: &SceneSpec) -> bool {
-        let section = joined(self.section(&spec.bodies), "");
-        let is_material = match self.of {
-            Of::Interface => Field::of(INTERFACE, &found.field).is_some(),
-            Of::Body(_) => found.field.starts_with(&section),
-            _ => false,
-        };
-        found.code == Code::UnusualSize && (is_material || self.is_of(found, spec))
     }
 
     /// Whether this number replaces another one.

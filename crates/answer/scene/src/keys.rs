@@ -5,8 +5,7 @@
 use asperity::{Body, Interface, Surface, Units, units};
 
 use crate::curvature::Curvature;
-use crate::gap::Gas;
-use crate::seal::Seal;
+use crate::seal::{Gas, Seal};
 
 /// A key of a scene file.
 #[derive(Debug, Clone, Copy)]

@@ -2,7 +2,6 @@
 
 // This crate takes models from the facade's registry only, and does no arithmetic on results.
 
-mod cells;
 mod check;
 mod curvature;
 mod document;
@@ -12,8 +11,6 @@ mod film;
 mod finish;
 mod finishes;
 mod fit;
-mod free;
-mod gap;
 mod heights;
 mod input;
 mod interface;
@@ -24,7 +21,6 @@ mod measurements;
 mod mistaken_unit;
 mod models;
 mod options;
-mod origin;
 mod quantity;
 mod ranges;
 mod read;
@@ -47,10 +43,9 @@ pub use asperity::Asperities;
 pub use asperity_curved::{Hertz, Shape};
 pub use curvature::Curvature;
 pub use document::HandedFiles;
-pub use error::{Place, SceneError};
+pub use error::{Place, Provenance, SceneError};
 pub use finish::Drawing;
-pub use free::Free;
-pub use gap::Gas;
+pub use fit::Free;
 pub use input::SceneInput;
 pub use keys::{BODY, Field, INTERFACE, KEYS, Key, SURFACE, Subject, key_of_input};
 pub use materials::{Material, materials, materials_like};
@@ -59,13 +54,12 @@ pub use measurements::read_measurements;
 pub use mistaken_unit::mistaken_unit;
 pub use models::LeftOut;
 pub use options::ModelOptions;
-pub use origin::Provenance;
 pub use quantity::{NO_LOAD, column_of, notation_hint, quantity, quantity_of, unit_of};
 pub use ranges::Points;
 pub use read::{load, load_scan, parse, parse_handed};
 pub use roughness::{Roughness, Way};
 pub use scene_file::SceneFile;
-pub use seal::{Seal, SealGas};
+pub use seal::{Gas, Seal, SealGas};
 pub use spec::{Bodies, Description, HeightsSpec, SceneSpec, SurfaceSpec, interface_of};
 pub use template::{template, template_on};
 /// Keys of a section with their values.

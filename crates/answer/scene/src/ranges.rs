@@ -133,21 +133,24 @@ impl Bodies {
     pub(crate) fn settled(&self, take: &mut dyn FnMut(Unknown) -> f64) -> Self {
         let [from, to] = HARDNESS_OVER_YIELD;
         let mut settled = self.clone();
-        let (mut most, mut all) = (f64::INFINITY, vec![]);
-        match &mut settled {
+        // Hardness, yield strength, and whether hardening is described, of each by its name.
+        let all: Vec<_> = match &mut settled {
             Self::Interface(of) => {
                 let hardens = of.tangent_modulus.is_some();
-                all.push(("hardness", &mut of.hardness, &mut of.yield_strength, hardens));
+                vec![("hardness", &mut of.hardness, &mut of.yield_strength, hardens)]
             }
             Self::Each { bodies, .. } => {
-                for (of, name) in bodies.iter_mut().zip(["body1_hardness", "body2_hardness"]) {
-                    let hardness = of.hardness.or(of.yield_strength.map(|of| to * of));
-                    most = most.min(hardness.unwrap_or(most));
-                    let hardens = of.tangent_modulus.is_some();
-                    all.push((name, &mut of.hardness, &mut of.yield_strength, hardens));
-                }
+                let named = bodies.iter_mut().zip(["body1_hardness", "body2_hardness"]);
+                named
+                    .map(|(of, name)| {
+                        let hardens = of.tangent_modulus.is_some();
+                        (name, &mut of.hardness, &mut of.yield_strength, hardens)
+                    })
+                    .collect()
             }
-        }
+        };
+        let upper = all.iter().filter_map(|(_, hardness, of, _)| hardness.or(of.map(|of| to * of)));
+        let most = upper.fold(f64::INFINITY, f64::min);
         for (name, hardness, of, hardens) in all {
             let Some(strength) = of.filter(|of| hardness.is_none() && *of > 0.0) else { continue };
             let source =

@@ -8,14 +8,12 @@ use asperity::{
 };
 use asperity_topography::Topography;
 
-use crate::error::SceneError;
-use crate::gap::Gas;
+use crate::error::{Provenance, SceneError};
 use crate::input::SceneInput;
 use crate::measured::{Measured, Scan};
-use crate::origin::Provenance;
 use crate::resolve::resolve;
 use crate::roughness::Roughness;
-use crate::seal::Seal;
+use crate::seal::{Gas, Seal};
 use crate::spec::{Bodies, Description, HeightsSpec, SceneSpec};
 use crate::unknown::Unknown;
 

@@ -1,10 +1,19 @@
-//! A seal: the section `[seal]`.
+//! What is between the surfaces: the sections `[gap]` and `[seal]`.
 
 use std::f64::consts::PI;
 
 use asperity::bem::{self, Fluid, Rarefaction};
 use asperity::{ATOMIC_DISTANCE, ContactError, short};
 use serde::{Deserialize, Serialize};
+
+/// A gas or liquid in the gap between the surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Gas {
+    /// Its thermal conductivity \[W/(m K)\], above 0.
+    pub gas_conductivity: f64,
+    /// Its temperature-jump distance \[m\], 0 for a liquid.
+    pub gas_parameter: f64,
+}
 
 /// A gas of the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

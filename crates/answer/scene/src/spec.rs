@@ -6,13 +6,12 @@ use asperity::{Body, Code, ContactError, Datum, HeightDistribution, Interface, T
 
 use crate::curvature::Curvature;
 use crate::finish::Drawing;
-use crate::gap::Gas;
 use crate::keys::COUNTERFACE;
 use crate::materials::Material;
 use crate::measured::{Measured, Scan};
 use crate::options::ModelOptions;
 use crate::roughness::{Roughness, Way};
-use crate::seal::Seal;
+use crate::seal::{Gas, Seal};
 
 /// What was written about a scene. `SceneFile::of_spec` makes a scene of it.
 #[derive(Debug, Clone)]

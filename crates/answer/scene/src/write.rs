@@ -17,7 +17,6 @@ use crate::roughness::{Roughness, Way};
 use crate::scans::Asked;
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SurfaceSpec};
-use crate::template::template;
 use crate::unknown::Unknown;
 
 impl SceneFile {
@@ -227,14 +226,9 @@ fn unwritable(at: Place, reason: &str) -> SceneError {
     SceneError::refused(at, format!("cannot be written: {reason}"))
 }
 
-/// The keys of a section, one per line, in the order of the template; numbers have a comment with
-/// their unit.
+/// The keys of a section, one per line, in the order of the table of keys; numbers have a comment
+/// with their unit.
 fn lines(section: &str, table: &Table) -> String {
-    let header = format!("[{section}]");
-    let start = template().find(&header).filter(|_| !section.is_empty()).unwrap_or(0);
-    let place = |name: &&str| template()[start..].find(&format!("{name} = ")).unwrap_or(usize::MAX);
-    let mut names = keys_of(section);
-    names.sort_by_key(place);
     let line = |name: &str| {
         let value = table.get(name)?;
         let meaning = match value {
@@ -244,7 +238,7 @@ fn lines(section: &str, table: &Table) -> String {
         let gap = if meaning.is_empty() { "" } else { "  # " };
         Some(format!("{name} = {}{gap}{meaning}\n", inline(value)))
     };
-    names.into_iter().filter_map(line).collect()
+    keys_of(section).into_iter().filter_map(line).collect()
 }
 
 /// A value on one line: numbers with the shortest digits that read back.

@@ -14,7 +14,7 @@ impl Document<'_> {
     /// expected.
     pub(crate) fn wrong(&self, path: &str, message: &str) -> SceneError {
         let meaning = Key::meaning(path);
-        let span = self.values.get(path).cloned();
+        let span = self.values.get(path).map(|(span, _)| span.clone());
         let found = self.text.get(span.unwrap_or_default()).unwrap_or_default();
         let found = shorten(found).replace(char::is_control, " ");
         let expected = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
