@@ -6,7 +6,7 @@ use asperity::{
     Advice, At, Check, Code, Contact, ContactError, ContactModel, DerivedNumber, Finding, Findings,
     HeightDistribution, Plausible, ProfileMoments, Quantity, Request, outside, unusual,
 };
-use asperity_curved::{Hertz, Shape};
+use asperity_curved::Shape;
 use asperity_topography::Statistics;
 
 use crate::evidence::KURTOSIS;
@@ -211,9 +211,8 @@ impl SceneFile {
         Ok(check)
     }
 
-    /// The relative radii of curved bodies in place of the nominal area and, at a load \[N\], the
-    /// contact of smooth ones.
-    fn add_bodies(&self, check: &mut Check, load: Option<f64>) {
+    /// The relative radii of curved bodies in place of the nominal area.
+    fn add_bodies(&self, check: &mut Check) {
         let Some(shape) = self.shape() else { return };
         check.numbers.retain(|one| !["nominal_area", "asperities"].contains(&&*one.name));
         let found = std::mem::take(&mut check.findings).into_iter();
@@ -224,19 +223,8 @@ impl SceneFile {
             }
             Shape::Line { radius, .. } => vec![("radius_x", radius)],
         };
-        for (name, radius) in &radii {
-            check.add_number(*name, *radius, "m", "relative radius: 1/R = 1/R1 + 1/R2");
-        }
-        let Some(load) = load.filter(|load| *load > 0.0) else { return };
-        let smooth = Hertz::new(&shape, self.scene.interface.equivalent_modulus, load);
-        let meaning = "of smooth elastic bodies, by Hertz";
-        let axes = ["hertz_axis_x", "hertz_axis_y"].into_iter().zip(smooth.axes);
-        for (name, axis) in axes.take(radii.len()) {
-            check.add_number(name, axis, "m", meaning);
-        }
-        check.add_number("hertz_peak_pressure", smooth.peak_pressure, "Pa", meaning);
-        if let Some(approach) = smooth.approach {
-            check.add_number("hertz_approach", approach, "m", meaning);
+        for (name, radius) in radii {
+            check.add_number(name, radius, "m", "relative radius: 1/R = 1/R1 + 1/R2");
         }
     }
 
@@ -248,13 +236,13 @@ impl SceneFile {
                 let request = Request::new([Quantity::Area, Quantity::Contacts]);
                 let mut check = Check::of(&self.scene)?;
                 check.extend(model.compile(&self.scene, &request)?.notes(&[at]));
-                self.add_bodies(&mut check, at.load(&self.scene));
+                self.add_bodies(&mut check);
                 return Ok(check);
             }
             Some((model, at)) => Check::at(model, &self.scene, at)?,
             None => Check::of(&self.scene)?,
         };
-        self.add_bodies(&mut check, None);
+        self.add_bodies(&mut check);
         let valid = place.is_some() && !self.findings().are_implausible();
         let of_answer = std::mem::take(&mut check.findings).into_iter();
         check.findings = of_answer.filter(|found| valid && found.model.is_some()).collect();

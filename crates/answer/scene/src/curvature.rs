@@ -165,7 +165,7 @@ mod tests {
             let request = Request::new([Quantity::ThermalConductance]);
             assert!(model.compile(&file.scene, &request).is_err(), "{refused}");
         }
-        let text = file.to_toml(&[]).unwrap();
+        let text = file.to_toml().unwrap();
         let again = parse(&text, Path::new(".")).unwrap();
         assert_eq!(again.spec.curvature, file.spec.curvature);
         assert!(!text.contains("nominal_area"));
@@ -178,7 +178,7 @@ mod tests {
             let end = file.at(&[share]).unwrap().shape();
             assert_eq!(end, Some(Shape::Point { radius_x, radius_y: 0.01 }));
         }
-        let again = parse(&file.to_toml(&[]).unwrap(), Path::new(".")).unwrap();
+        let again = parse(&file.to_toml().unwrap(), Path::new(".")).unwrap();
         assert_eq!(again.unknowns(), file.unknowns());
         assert!(with("radius = [-0.01, 0.01]").is_err());
     }

@@ -14,7 +14,7 @@ use toml::{Spanned, Table, Value};
 
 use crate::error::{Place, Provenance, SceneError};
 use crate::keys::{COUNTERFACE, Field, Key, Subject, joined, keys_of, section_and_name};
-use crate::quantity::in_si;
+use crate::quantity::{in_si, without_unit};
 use crate::text_file::shorten;
 use crate::unknown::Unknown;
 
@@ -137,12 +137,10 @@ impl<'a> Document<'a> {
             return Ok(None);
         }
         let stated = [1, 2].map(|k| self.origin.is_stated(&format!("{path}[{k}]")));
-        let bare = usize::from(stated[0]);
-        if stated[0] != stated[1] && [*one, *other][bare] != 0.0 {
-            let (at, found) =
-                (self.place(&format!("{path}[{}]", bare + 1)), items[bare].to_string());
+        if let Some(bare) = without_unit([*one, *other], stated) {
+            let at = self.place(&format!("{path}[{}]", bare + 1));
             let hint = "has no unit, and the other end has one: give both ends a unit";
-            return Err(SceneError::notation(at, &found, hint));
+            return Err(SceneError::notation(at, &items[bare].to_string(), hint));
         }
         // One that is no number stays, to be refused.
         let ends = if one <= other { [*one, *other] } else { [*other, *one] };

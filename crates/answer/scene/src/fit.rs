@@ -6,11 +6,11 @@ use asperity::fit::{
     Data, Fit, FitError, Fitted, MeasuredTable, Parameter, Progress, Rig, Role, USUAL_FACTOR,
     places, predict,
 };
-use asperity::{Best, Described, Findings, Model, Severity, short, unusual};
+use asperity::{Best, Body, Described, Findings, Model, Severity, unusual};
 
 use crate::error::{Place, SceneError};
 use crate::keys::{BODY, Field, Key, key_of_input};
-use crate::quantity::{quantity, quantity_of, unit_of};
+use crate::quantity::{quantity, quantity_of, unit_of, without_unit};
 use crate::scene_file::SceneFile;
 
 /// A free parameter: an input of a scene by its name, `separation_offset` or `series_compliance`,
@@ -58,15 +58,15 @@ impl std::str::FromStr for Free {
                 "{bounds:?} is one value: write {name}=low:high for bounds, or {name} alone"
             )));
         };
-        // 0 needs no unit.
-        let plain = [low, high].map(|text| text.trim().parse::<f64>());
-        for (text, at, other) in [(low, &plain[0], &plain[1]), (high, &plain[1], &plain[0])] {
-            if other.is_err() && at.as_ref().is_ok_and(|value| *value != 0.0) {
-                return Err(refused(format!("{text} has no unit; give both bounds a unit")));
-            }
+        let has_unit = [low, high].map(|text| text.trim().parse::<f64>().is_err());
+        let bounds = [number(low).map_err(refused)?, number(high).map_err(refused)?];
+        if let Some(bare) = without_unit(bounds, has_unit) {
+            return Err(refused(format!(
+                "{} has no unit; give both bounds a unit",
+                [low, high][bare]
+            )));
         }
-        let bounds = Some([number(low).map_err(refused)?, number(high).map_err(refused)?]);
-        let has_unit = plain.iter().any(Result::is_err);
+        let (bounds, has_unit) = (Some(bounds), has_unit.contains(&true));
         Ok(Self { name: name.into(), bounds, has_unit })
     }
 }
@@ -118,10 +118,18 @@ impl SceneFile {
             Some((start, bounds, scale)) => (Some(start), Some(bounds), scale),
             None => {
                 let input = self.inputs([free.name.as_str()])?;
-                if let Some(reason) = self.unlike_bodies(&free.name) {
-                    return Err(refused(&free.name, reason));
-                }
                 let value = input.first().and_then(|input| self.value_of(*input));
+                // Even where the contact depends on the softer body only: which one that is may
+                // change in a fit.
+                let is_of = |field: &Field<Body>| {
+                    self.bodies().iter().any(|one| (field.get)(one).is_some())
+                };
+                if value.is_none() && Field::of(BODY, &free.name).is_some_and(is_of) {
+                    let name = &free.name;
+                    let reason =
+                        format!("the bodies differ in it: free body1_{name} or body2_{name}");
+                    return Err(refused(name, reason));
+                }
                 let value = value.or_else(|| self.derived(&free.name));
                 let usual = value.filter(|value| *value > 0.0);
                 let usual = usual.map(|value| [value / USUAL_FACTOR, value * USUAL_FACTOR]);
@@ -147,20 +155,6 @@ impl SceneFile {
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
         let start = start.unwrap_or(middle);
         Ok(Parameter::new(free.name.clone(), unit, start, [low, high], scale)?)
-    }
-
-    /// The reason against one value of both bodies for a number in which they differ, even where
-    /// the contact depends on the softer one only: which one that is may change in a fit.
-    fn unlike_bodies(&self, name: &str) -> Option<String> {
-        let field = Field::of(BODY, name)?;
-        let [first, second] = self.bodies() else { return None };
-        let values = [first, second].map(|body| (field.get)(body));
-        let bits = values.map(|value| value.map(f64::to_bits));
-        let shown = values.map(|value| value.map_or_else(|| "none".into(), short));
-        (bits[0] != bits[1]).then(|| {
-            let [one, two] = shown;
-            format!("the bodies differ in it ({one} and {two}): free body1_{name} or body2_{name}")
-        })
     }
 
     /// A hardness that follows from a yield strength, or the strength from the hardness of both

@@ -111,6 +111,6 @@ mod tests {
         let listed = materials().iter().find(|material| material.id == "steel-100cr6").unwrap();
         assert_eq!(steel.bodies()[0].hardness, listed.body.hardness);
         assert_eq!(steel.bodies()[0].thermal_conductivity, Some(40.0));
-        assert!(steel.to_toml(&[]).unwrap().contains("material = \"steel-100cr6\""));
+        assert!(steel.to_toml().unwrap().contains("material = \"steel-100cr6\""));
     }
 }

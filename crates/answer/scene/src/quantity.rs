@@ -98,6 +98,12 @@ pub(crate) fn in_si(text: &str, key: &str, units: &Units) -> Result<f64, String>
     })
 }
 
+/// Which of two ends has no unit where the other has one; 0 needs none.
+pub(crate) fn without_unit(ends: [f64; 2], has_unit: [bool; 2]) -> Option<usize> {
+    let bare = usize::from(has_unit[0]);
+    (has_unit[0] != has_unit[1] && ends[bare] != 0.0).then_some(bare)
+}
+
 /// What is wrong with a number that is refused for its commas or points; `None` for other texts.
 ///
 /// ```

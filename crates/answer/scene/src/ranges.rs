@@ -3,11 +3,11 @@
 use asperity::{Code, ContactError, Finding, Interface, Severity};
 
 use crate::error::{Place, SceneError};
-use crate::keys::SECOND;
+use crate::keys::{COUNTERFACE, SECOND};
 use crate::materials::HARDNESS_OVER_YIELD;
 use crate::roughness::Roughness;
 use crate::scene_file::SceneFile;
-use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
+use crate::spec::{Bodies, Description, SceneSpec};
 use crate::unknown::Unknown;
 
 /// The number of unknowns up to which every combination of ends is taken.
@@ -175,11 +175,11 @@ impl SceneSpec {
     /// says.
     fn settled(&self, take: &mut dyn FnMut(Unknown) -> f64) -> Result<Self, ContactError> {
         let mut settled = Self { bodies: self.bodies.settled(take), ..self.clone() };
-        for second in [false, true] {
-            let drawing = self.one(second).and_then(SurfaceSpec::drawing);
+        for (section, one) in self.surfaces() {
+            let drawing = one.drawing();
             let Some(drawing) = drawing.filter(|drawing| drawing.is_open()) else { continue };
             let mut number = |mut one: Unknown| {
-                if second {
+                if section == COUNTERFACE {
                     one.name.insert_str(0, SECOND);
                 }
                 if one.is_open() { take(one) } else { one.ends[0] }
@@ -188,7 +188,7 @@ impl SceneSpec {
             let rq = number(height);
             let [_, slope, bandwidth] = drawing.with_rq(rq)?.unknowns()?;
             let numbers = [rq, number(slope), number(bandwidth)];
-            if let Some(one) = settled.surface_mut(second) {
+            if let Some(one) = settled.surface_mut(section) {
                 one.by = Description::Numbers(Roughness::of_profile(numbers));
             }
         }

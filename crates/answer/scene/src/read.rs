@@ -222,16 +222,15 @@ fn ranges(
 ) -> Result<Vec<(SceneInput, Unknown)>, SceneError> {
     let inputs = if document.ranges.is_empty() { vec![] } else { file.all_inputs() };
     let range = |(path, ends): &(String, [f64; 2])| {
-        let section = |input: &SceneInput| input.section(&file.spec.bodies);
-        let is_here = |input: &SceneInput| joined(section(input), input.key) == *path;
-        let Some(input) = inputs.iter().map(|(_, input)| *input).find(is_here) else {
+        let of_path = inputs.iter().find(|(_, input)| input.path() == *path);
+        let Some((name, input)) = of_path else {
             return Err(document.wrong(path, "a single number"));
         };
         for end in ends {
-            let made = file.with_inputs([(input, *end)]);
-            made.map_err(document.refused(section(&input)))?;
+            let made = file.with_inputs([(*input, *end)]);
+            made.map_err(document.refused(input.section))?;
         }
-        Ok((input, Unknown::written(input.name(), *ends)))
+        Ok((*input, Unknown::written(name.clone(), *ends)))
     };
     let mut all = document.ranges.clone();
     // Of a surface that is the same, each number has the range of the other.

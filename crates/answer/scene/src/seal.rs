@@ -239,7 +239,7 @@ mod tests {
             assert!((seal.width_over_length / 50.0 - 1.0).abs() < 1e-12);
             let [high, low] = seal.pressures;
             assert!((high / 1e6 - 1.0).abs() < 1e-12 && (low / 1e5 - 1.0).abs() < 1e-12);
-            let again = parse(&file.to_toml(&[]).unwrap(), Path::new(".")).unwrap();
+            let again = parse(&file.to_toml().unwrap(), Path::new(".")).unwrap();
             assert_eq!(again.spec.seal, file.spec.seal);
         }
         for (text, key) in [

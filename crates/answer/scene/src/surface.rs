@@ -163,8 +163,7 @@ pub(crate) fn refused(
     spec: &SceneSpec,
     Fault { section, source }: Fault,
 ) -> SceneError {
-    let mut of_section = spec.surfaces().filter(|(of, _)| *of == section);
-    let numbers = of_section.next().map_or(vec![], |(_, one)| one.numbers());
+    let numbers = spec.one(&section).map_or(vec![], SurfaceSpec::numbers);
     let is_positive = numbers.iter().all(|(_, value)| *value > 0.0);
     let odd = numbers.into_iter().filter(|_| is_positive).find_map(|(key, value)| {
         let path = joined(&section, key);

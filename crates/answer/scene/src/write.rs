@@ -1,8 +1,5 @@
 //! Writer of scenes as text that reads back bit for bit.
 
-use std::fs;
-use std::path::Path;
-
 use asperity::{Body, Datum, HeightDistribution};
 use serde::Serialize;
 use toml::{Table, Value};
@@ -21,9 +18,8 @@ use crate::unknown::Unknown;
 
 impl SceneFile {
     /// The text of a scene file that [`parse`](crate::parse) reads back bit for bit, with what was
-    /// written of the scene or changed since; `comments` are written at its head, one per line.
-    /// Numbers are in SI units, a table of heights is part of the text, and paths of scans are
-    /// absolute.
+    /// written of the scene or changed since. Numbers are in SI units, a table of heights is part
+    /// of the text, and paths of scans are absolute.
     ///
     /// ```
     /// use asperity_scene::{parse, template};
@@ -32,7 +28,7 @@ impl SceneFile {
     /// let file = parse(template(), Path::new("."))?;
     /// let area = file.inputs(["nominal_area"])?[0];
     /// let twice = file.with_inputs([(area, 2e-4)]).unwrap();
-    /// let again = parse(&twice.to_toml(&["twice the area"])?, Path::new("."))?;
+    /// let again = parse(&twice.to_toml()?, Path::new("."))?;
     /// assert_eq!(again.scene.nominal_area.to_bits(), 2e-4f64.to_bits());
     /// assert_eq!(again.scene.interface, file.scene.interface);
     /// # Ok::<(), asperity_scene::SceneError>(())
@@ -40,9 +36,7 @@ impl SceneFile {
     ///
     /// # Errors
     /// [`SceneError::Refused`] for heights that a file cannot represent.
-    pub fn to_toml(&self, comments: &[&str]) -> Result<String, SceneError> {
-        let note = |line: &str| format!("# {}\n", line.replace(|c: char| c.is_control(), " "));
-        let text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
+    pub fn to_toml(&self) -> Result<String, SceneError> {
         let spec = &self.spec;
         let mut top = spec.bodies.keys();
         let mut surface = self.surface_keys();
@@ -61,7 +55,7 @@ impl SceneFile {
         }));
         top.insert("options".into(), spec.options.changed().into());
         for (input, Unknown { ends, .. }) in &self.ranges {
-            let table = section_mut(&mut top, input.section(&spec.bodies));
+            let table = section_mut(&mut top, input.section);
             table.map(|table| table.insert(input.key.into(), ends.to_vec().into()));
         }
         let mut sections = String::new();
@@ -76,19 +70,7 @@ impl SceneFile {
                 sections += &format!("\n{header}\n{}", lines(name, keys));
             }
         }
-        Ok(text + &lines("", &top) + &sections)
-    }
-
-    /// Writes [`to_toml`](Self::to_toml) to a file and returns the text.
-    ///
-    /// # Errors
-    /// The errors of [`to_toml`](Self::to_toml), and [`SceneError::Refused`] with the system's
-    /// reason.
-    pub fn save(&self, path: &Path, comments: &[&str]) -> Result<String, SceneError> {
-        let text = self.to_toml(comments)?;
-        let at = Place { file: Some(path.into()), ..Place::field("") };
-        fs::write(path, &text).map_err(|error| unwritable(at, &error.to_string()))?;
-        Ok(text)
+        Ok(lines("", &top) + &sections)
     }
 
     /// The scene of these bodies with the other keys and sections: `nominal_area` or `curvature`,
@@ -147,8 +129,9 @@ impl SceneFile {
                 Some(Table::from_iter(columns.map(column)).into())
             }
             (heights, None) => {
-                let reason = format!("{}: a density that is not a table", heights.name());
-                return Err(unwritable(Place::field("surface.heights"), &reason));
+                let reason = "cannot be written: a density that is not a table";
+                let reason = format!("{}: {reason}", heights.name());
+                return Err(SceneError::refused(Place::field("surface.heights"), reason));
             }
         })
     }
@@ -220,10 +203,6 @@ fn section_mut<'t>(top: &'t mut Table, section: &str) -> Option<&'t mut Table> {
         }
         .as_table_mut()
     })
-}
-
-fn unwritable(at: Place, reason: &str) -> SceneError {
-    SceneError::refused(at, format!("cannot be written: {reason}"))
 }
 
 /// The keys of a section, one per line, in the order of the table of keys; numbers have a comment
