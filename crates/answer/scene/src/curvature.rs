@@ -2,10 +2,11 @@
 
 use asperity::ContactError;
 use asperity_curved::Shape;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Curved bodies: the keys of `[curvature]`, lengths in m.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Curvature {
     /// Relative radius of spheres, 1/R = 1/R₁ + 1/R₂.
     pub radius: Option<f64>,

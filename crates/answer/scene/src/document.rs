@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Table, Value};
 
 use crate::error::{Place, Provenance, SceneError};
-use crate::keys::{COUNTERFACE, Field, Key, Subject, joined, keys_of, section_and_name};
+use crate::keys::{COUNTERFACE, Key, Subject, joined, keys_of, section_and_name};
 use crate::quantity::{in_si, without_unit};
 use crate::text_file::shorten;
 use crate::unknown::Unknown;
@@ -163,19 +163,10 @@ impl<'a> Document<'a> {
             .ok_or_else(|| self.missing(path, format!("a number ({})", Key::meaning(path))))
     }
 
-    /// Sets the numbers of a section that are given.
-    pub(crate) fn read_numbers<T>(
-        &self,
-        section: &str,
-        fields: &[Field<T>],
-        into: &mut T,
-    ) -> Result<(), SceneError> {
-        for Field { name, set, .. } in fields {
-            if let Some(number) = self.get(&joined(section, name))? {
-                set(into, number);
-            }
-        }
-        Ok(())
+    /// The keys of a section, if it is there, as one of the types of the library.
+    pub(crate) fn section<T: DeserializeOwned>(&self, name: &str) -> Result<Option<T>, SceneError> {
+        let read = || self.read_over(name, &keys_of(name), Table::new());
+        self.has(name).then(read).transpose()
     }
 
     /// The value of a key as one of the types of the library.

@@ -1,6 +1,6 @@
 //! Numbers of a scene that can be read and replaced, by the sections in which they are written.
 
-use crate::keys::{BODIES, COUNTERFACE, Field, INTERFACE, OF_PAIR, SECOND, joined};
+use crate::keys::{Field, INTERFACE, OF_PAIR, PREFIXES, joined};
 use crate::spec::{SceneSpec, SurfaceSpec};
 
 /// The numbers of the contact as a whole.
@@ -25,7 +25,7 @@ pub(crate) const OWN: &[Field<SurfaceSpec>] = &[
 ];
 
 /// The sections of each body; `body` is that of both.
-pub(crate) const EACH: [&str; 2] = ["body[1]", "body[2]"];
+pub(crate) const EACH: [&str; 2] = [PREFIXES[0].0, PREFIXES[1].0];
 
 /// A number of a scene that can be read and replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,9 +39,8 @@ pub struct SceneInput {
 impl SceneInput {
     /// Its name: that of its key, of a body or the second surface behind theirs.
     pub(crate) fn name(self) -> String {
-        let of_body = EACH.iter().zip(BODIES).find(|(section, _)| **section == self.section);
-        let of_second = if self.section == COUNTERFACE { SECOND } else { "" };
-        format!("{}{}", of_body.map_or(of_second, |(_, before)| before), self.key)
+        let own = PREFIXES.iter().find(|(section, _)| *section == self.section);
+        format!("{}{}", own.map_or("", |(_, before)| before), self.key)
     }
 
     /// Its key behind its section.

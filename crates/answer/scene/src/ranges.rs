@@ -3,7 +3,7 @@
 use asperity::{Code, ContactError, Finding, Interface, Severity};
 
 use crate::error::{Place, SceneError};
-use crate::keys::{COUNTERFACE, SECOND};
+use crate::input::SceneInput;
 use crate::materials::HARDNESS_OVER_YIELD;
 use crate::roughness::Roughness;
 use crate::scene_file::SceneFile;
@@ -179,9 +179,7 @@ impl SceneSpec {
             let drawing = one.drawing();
             let Some(drawing) = drawing.filter(|drawing| drawing.is_open()) else { continue };
             let mut number = |mut one: Unknown| {
-                if section == COUNTERFACE {
-                    one.name.insert_str(0, SECOND);
-                }
+                one.name = SceneInput { section, key: "" }.name() + &one.name;
                 if one.is_open() { take(one) } else { one.ends[0] }
             };
             let [height, ..] = drawing.unknowns()?;

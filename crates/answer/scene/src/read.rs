@@ -12,7 +12,7 @@ use crate::error::{Place, SceneError};
 use crate::heights::{compare_std, heights};
 use crate::input::SceneInput;
 use crate::interface::bodies;
-use crate::keys::{COUNTERFACE, CURVATURE, Field, SEAL, joined, keys_of};
+use crate::keys::{COUNTERFACE, joined, keys_of};
 use crate::measured::Scan;
 use crate::options::ModelOptions;
 use crate::resolve::resolve;
@@ -92,17 +92,6 @@ pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneE
     scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
 }
 
-/// The numbers of a section that a scene may have.
-fn section<T: Default>(
-    document: &Document<'_>,
-    name: &str,
-    fields: &[Field<T>],
-) -> Result<Option<T>, SceneError> {
-    let mut found = T::default();
-    document.read_numbers(name, fields, &mut found)?;
-    Ok(document.has(name).then_some(found))
-}
-
 /// Refuses curved bodies that are none, and those with a nominal area.
 fn check_curvature(document: &Document<'_>, bodies: Curvature) -> Result<(), SceneError> {
     bodies.shape().map_err(document.refused("curvature"))?;
@@ -117,10 +106,9 @@ fn check_curvature(document: &Document<'_>, bodies: Curvature) -> Result<(), Sce
 fn spec(document: &Document<'_>, asked: Asked) -> Result<SceneSpec, SceneError> {
     document.check_sections()?;
     let options = ModelOptions::default().with_keys(document, "options")?;
-    let curvature = section(document, "curvature", CURVATURE)?;
+    let curvature: Option<Curvature> = document.section("curvature")?;
     curvature.map_or(Ok(()), |bodies| check_curvature(document, bodies))?;
-    let gas = document.get("seal.gas")?;
-    let seal = section(document, "seal", SEAL)?.map(|seal| Seal { gas, ..seal });
+    let seal: Option<Seal> = document.section("seal")?;
     let of_seal = seal.and_then(|seal| seal.area());
     let nominal_area = match curvature {
         // Without an area, the seal is refused when it is resolved.

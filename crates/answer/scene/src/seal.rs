@@ -34,7 +34,8 @@ pub enum SealGas {
 }
 
 /// The keys of `[seal]`, in SI units.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Seal {
     /// Across the flow; beside a perimeter along it.
     pub width: Option<f64>,
