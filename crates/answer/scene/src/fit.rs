@@ -130,7 +130,8 @@ impl SceneFile {
                         format!("the bodies differ in it: free body1_{name} or body2_{name}");
                     return Err(refused(name, reason));
                 }
-                let value = value.or_else(|| self.derived(&free.name));
+                let range = || self.unknowns().into_iter().find(|one| one.name == free.name);
+                let value = value.or_else(|| Some(range()?.middle()));
                 let usual = value.filter(|value| *value > 0.0);
                 let usual = usual.map(|value| [value / USUAL_FACTOR, value * USUAL_FACTOR]);
                 let (usual, scale) = match key_of_input(&free.name) {
@@ -155,19 +156,6 @@ impl SceneFile {
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
         let start = start.unwrap_or(middle);
         Ok(Parameter::new(free.name.clone(), unit, start, [low, high], scale)?)
-    }
-
-    /// A hardness that follows from a yield strength, or the strength from the hardness of both
-    /// bodies.
-    fn derived(&self, name: &str) -> Option<f64> {
-        let range = self.unknowns().into_iter().find(|one| one.name == name);
-        let asperity = || self.scene.asperity().ok();
-        match (range, name) {
-            (Some(range), _) => Some(range.middle()),
-            (None, "hardness") => asperity()?.hardness,
-            (None, "yield_strength") => asperity()?.yield_strength,
-            _ => None,
-        }
     }
 
     /// A model fitted to data from this scene, with unusual results where they were measured;

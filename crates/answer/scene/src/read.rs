@@ -20,7 +20,7 @@ use crate::scans::{self, Asked, density, notes};
 use crate::scene_file::SceneFile;
 use crate::seal::{Gas, Seal};
 use crate::spec::{HeightsSpec, SceneSpec};
-use crate::surface::{Surfaces, refused, smooth_counterface, surfaces};
+use crate::surface::{refused, smooth_counterface, surfaces};
 use crate::text_file::read_text;
 use crate::unknown::Unknown;
 
@@ -92,28 +92,22 @@ pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneE
     scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
 }
 
-/// Refuses curved bodies that are none, and those with a nominal area.
-fn check_curvature(document: &Document<'_>, bodies: Curvature) -> Result<(), SceneError> {
-    bodies.shape().map_err(document.refused("curvature"))?;
-    let needed = "one of the two (curved bodies meet at a patch, which follows from the load)";
-    match document.has("nominal_area") {
-        true => Err(document.conflict("nominal_area", "curvature", needed)),
-        false => Ok(()),
-    }
-}
-
 /// What a document says of its scene.
 fn spec(document: &Document<'_>, asked: Asked) -> Result<SceneSpec, SceneError> {
     document.check_sections()?;
     let options = ModelOptions::default().with_keys(document, "options")?;
     let curvature: Option<Curvature> = document.section("curvature")?;
-    curvature.map_or(Ok(()), |bodies| check_curvature(document, bodies))?;
     let seal: Option<Seal> = document.section("seal")?;
     let of_seal = seal.and_then(|seal| seal.area());
     let nominal_area = match curvature {
         // Without an area, the seal is refused when it is resolved.
         None if seal.is_some() && !document.has("nominal_area") => of_seal.unwrap_or(1.0),
         None => document.needed_number("nominal_area")?,
+        Some(_) if document.has("nominal_area") => {
+            let needed =
+                "one of the two (curved bodies meet at a patch, which follows from the load)";
+            return Err(document.conflict("nominal_area", "curvature", needed));
+        }
         Some(_) => 1.0,
     };
     let names: Vec<String> = document.get("accept")?.unwrap_or_default();
@@ -123,7 +117,7 @@ fn spec(document: &Document<'_>, asked: Asked) -> Result<SceneSpec, SceneError> 
     let bodies = bodies(document)?;
     let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
     let heights = heights(document)?;
-    let Surfaces { first, second, is_smooth, pressed } = surfaces(document, &heights, asked)?;
+    let surfaces = surfaces(document, bodies, nominal_area, &heights, asked)?;
     let number = |key| document.needed_number(key);
     let gas = match document.has("gap") {
         true => Some(Gas {
@@ -132,19 +126,8 @@ fn spec(document: &Document<'_>, asked: Asked) -> Result<SceneSpec, SceneError> 
         }),
         false => None,
     };
-    let mut spec = SceneSpec {
-        counterface: second,
-        is_smooth,
-        pressed,
-        heights,
-        separation_from,
-        curvature,
-        gas,
-        seal,
-        options,
-        accept,
-        ..SceneSpec::new(bodies, first, nominal_area)
-    };
+    let mut spec =
+        SceneSpec { heights, separation_from, curvature, gas, seal, options, accept, ..surfaces };
     let has_asperities = |scan: &&Arc<Scan>| {
         scan.measured.as_ref().is_some_and(|own| own.statistics.surface().is_ok())
     };

@@ -1,7 +1,5 @@
 //! `[surface]`: the asperities, in exactly one way, of one rough surface or of two.
 
-use std::sync::Arc;
-
 use asperity::{Code, Finding, nearest_name, unusual};
 use toml::Value;
 
@@ -9,11 +7,10 @@ use crate::document::Document;
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
 use crate::keys::{COUNTERFACE, KEYS, Key, Subject, joined};
-use crate::measured::Scan;
 use crate::resolve::Fault;
 use crate::roughness::{Roughness, Way};
 use crate::scans::{Asked, scans};
-use crate::spec::{Description, HeightsSpec, SceneSpec, SurfaceSpec};
+use crate::spec::{Bodies, Description, HeightsSpec, SceneSpec, SurfaceSpec};
 use crate::text_file::shorten;
 
 /// What a counterface may be instead of a surface of its own.
@@ -66,23 +63,15 @@ fn way(
     Err(document.conflict(&at(other), &at(odd.name), &needed))
 }
 
-/// The rough surfaces of a scene.
-pub(crate) struct Surfaces {
-    pub(crate) first: SurfaceSpec,
-    pub(crate) second: Option<SurfaceSpec>,
-    /// Whether `counterface = "smooth"` is written.
-    pub(crate) is_smooth: bool,
-    /// The sum of two aligned scans.
-    pub(crate) pressed: Option<Arc<Scan>>,
-}
-
-/// What was written of the surfaces; the standard deviation of a table of heights is the default of
-/// `asperity_height_std`.
+/// A scene between these bodies with what was written of the surfaces; the standard deviation of a
+/// table of heights is the default of `asperity_height_std`.
 pub(crate) fn surfaces(
     document: &Document<'_>,
+    bodies: Bodies,
+    nominal_area: f64,
     heights: &HeightsSpec,
     asked: Asked,
-) -> Result<Surfaces, SceneError> {
+) -> Result<SceneSpec, SceneError> {
     let table_std = heights.table.as_ref().map(|table| table.standard_deviation());
     let first = described(document, "surface", table_std)?;
     let word = document.value(COUNTERFACE).and_then(Value::as_str);
@@ -122,7 +111,7 @@ pub(crate) fn surfaces(
         }))
     };
     let first = of("surface", first)?.ok_or_else(|| document.missing("surface", one_way()))?;
-    let second = match is_same {
+    let counterface = match is_same {
         true if first.scan().is_some() => {
             let at = document.place(COUNTERFACE);
             let reason = "\"same\" is of a surface by numbers; name a file in each section";
@@ -131,7 +120,8 @@ pub(crate) fn surfaces(
         true => Some(first.clone()),
         false => of(COUNTERFACE, second)?,
     };
-    Ok(Surfaces { first, second, is_smooth, pressed })
+    let one = SceneSpec::new(bodies, first, nominal_area);
+    Ok(SceneSpec { counterface, is_smooth, pressed, ..one })
 }
 
 /// How a section describes its surface, with the key that decides it; `None` by a scan.
