@@ -105,6 +105,9 @@ impl<'d> Named<'d> {
     }
 }
 
+/// Scans, and the sum of two that are aligned.
+type ScansAndSum = (Vec<Arc<Scan>>, Option<Arc<Scan>>);
+
 /// The scans that a scene names, one or two, and the sum of two that are aligned; beside one of
 /// them the other surface may be given by numbers, and the heights of the asperities may be theirs.
 pub(crate) fn scans(
@@ -112,7 +115,7 @@ pub(crate) fn scans(
     are_measured: bool,
     asked: Asked,
     beside_numbers: bool,
-) -> Result<(Vec<Arc<Scan>>, Option<Arc<Scan>>), SceneError> {
+) -> Result<ScansAndSum, SceneError> {
     let sections = ["surface", COUNTERFACE].into_iter().filter(|section| document.has(section));
     let named = sections.map(|section| Named::new(document, section, asked));
     let named = named.filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
