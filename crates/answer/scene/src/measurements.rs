@@ -19,6 +19,10 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
     let path = path.as_ref();
     let place = |field: &str| Place { file: Some(path.to_path_buf()), ..Place::field(field) };
     let text = read_text(path, SAVE_AS_CSV, || place("the data"))?;
+    if text.lines().any(|line| ["[[body]]", "[surface]", "[interface]"].contains(&line.trim())) {
+        let reason = "the file looks like a scene, not like measurements; give the scene first, then the measurements";
+        return Err(SceneError::refused(place("CSV"), reason));
+    }
     let needed = "a header, for example load_N,unloading_stiffness_N_per_m";
     let mut table = Cells::read(&text, path, needed)?;
     let units = table.units(is_unit);
