@@ -174,6 +174,8 @@ fn aligned_scans_add_point_by_point_and_their_moments_within_the_sampling_error(
     near(both.m4, sum.m4, 0.05);
     assert!((both.m0 / sum.m0 - 1.0).abs() > 1e-6);
     assert!(independent.scan().is_none());
+    let again = parse(&aligned.to_toml().unwrap(), Path::new("/")).unwrap();
+    assert_eq!(again.scan().unwrap().heights(), scan.heights());
     let request = Request::new([Quantity::Area]).at([asperity::At::Pressure(1e8)]);
     let bem = aligned.model("bem").unwrap().solve(&aligned.scene, &request).unwrap();
     assert!(bem.values(Quantity::Area).unwrap()[0] > 0.0);

@@ -289,7 +289,7 @@ impl SceneFile {
     fn to_toml(&self, path: Option<PathBuf>) -> PyResult<String> {
         let text = self.0.to_toml().map_err(value_error)?;
         if let Some(path) = path {
-            let reason = |error| format!("{} cannot be written: {error}", path.display());
+            let reason = |error| format!("{}: cannot be written: {error}", path.display());
             std::fs::write(&path, &text).map_err(|error| value_error(reason(error)))?;
         }
         Ok(text)
