@@ -62,7 +62,7 @@ fn scenes(figure: &str) -> Result<Vec<LinkedScene>> {
 
 /// The state of the explorer behind `#s=`.
 fn link(opened: &LinkedScene) -> Result<String> {
-    let scene = SceneFile::from(opened.scene.clone()).to_toml(&[])?;
+    let scene = SceneFile::from(opened.scene.clone()).to_toml()?;
     let state = json!({
         "scene": scene, "models": opened.models, "load": "", "view": opened.view, "scan": null,
     });

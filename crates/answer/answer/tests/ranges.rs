@@ -289,7 +289,7 @@ fn ends_are_those_of_either_body_being_barely_softer() {
 
 #[test]
 fn a_finding_at_an_end_is_found() {
-    let soft = finished("ground", 0.8, 2e9).to_toml(&[]).unwrap();
+    let soft = finished("ground", 0.8, 2e9).to_toml().unwrap();
     let soft = soft.replace("hardness = 2e9", "hardness = [2e6, 2e9]");
     let (_, sheet) = ends(&parse(&soft, Path::new(".")).unwrap(), "ke", Quantity::AreaFraction);
     let at_end = |found: &Finding| found.origin.as_deref() == Some("within the ranges");

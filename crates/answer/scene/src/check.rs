@@ -6,7 +6,7 @@ use asperity::{
     Advice, At, Check, Code, Contact, ContactError, ContactModel, DerivedNumber, Finding, Findings,
     HeightDistribution, Plausible, ProfileMoments, Quantity, Request, outside, unusual,
 };
-use asperity_curved::{Hertz, Shape};
+use asperity_curved::Shape;
 use asperity_topography::Statistics;
 
 use crate::evidence::KURTOSIS;
@@ -45,22 +45,22 @@ impl SceneFile {
     /// Unusual values of the scene, of each body by its own name, and of a scan.
     #[must_use]
     pub fn findings(&self) -> Findings {
-        let is_curved = self.spec.curvature.is_some();
-        let of_area = |found: &Finding| {
-            is_curved && (found.field == "nominal_area" || found.code == Code::FewAsperities)
-        };
+        let spec = &self.spec;
+        let of_area =
+            |found: &Finding| found.field == "nominal_area" || found.code == Code::FewAsperities;
         let is_own = |found: &Finding| self.bodies().is_empty() || !of_bodies(&found.field);
-        let of_scene = self.scene.findings().into_iter();
-        let of_scene = of_scene.filter(|found| is_own(found) && !of_area(found));
-        let (of_asperities, mut found): (Vec<_>, Vec<_>) =
-            of_scene.partition(|found| ASPERITY_FIELDS.contains(&&*found.field));
+        let mut of_scene: Vec<Finding> = self.scene.findings().into_iter().collect();
+        of_scene.retain(|found| is_own(found) && !(spec.curvature.is_some() && of_area(found)));
+        let (of_asperities, of_scene): (Vec<_>, Vec<_>) =
+            of_scene.into_iter().partition(|found| ASPERITY_FIELDS.contains(&&*found.field));
+        let mut found: Vec<Finding> = self.warnings.iter().cloned().chain(of_scene).collect();
         let given = self.unusual_given();
         if !given.is_empty() {
             // The asperities follow from these numbers.
             found.retain(|found| found.code != Code::FewAsperities);
             found.extend(given);
         } else if self.no_asperities().is_none() {
-            match self.spec.follows_from() {
+            match spec.follows_from() {
                 None => found.extend(of_asperities),
                 Some(numbers) => {
                     let first = of_asperities.into_iter().next();
@@ -71,59 +71,47 @@ impl SceneFile {
                 }
             }
         }
-        let scan_findings = self.measured.iter().flat_map(|measured| self.scan_findings(measured));
-        let of_pair = self.missing_hardness();
-        let of_seal = of_section("seal", SEAL, self.spec.seal.as_ref());
-        let of_gap = of_section("gap", GAP, self.spec.gas.as_ref());
-        let of_radii = of_section("curvature", CURVATURE, self.spec.curvature.as_ref());
-        let offset = self.spec.surface.mean_plane_offset;
-        let of_offset = offset.and_then(|offset| unusual("mean_plane_offset", offset));
-        let of_finish = self.spec.surfaces().filter_map(|(section, one)| {
-            let gaussian = matches!(self.spec.heights.distribution, HeightDistribution::Gaussian);
-            one.drawing().filter(|_| gaussian)?.skewed().map(|found| found.within(section))
-        });
-        let found = found.into_iter().chain(of_offset).chain(of_gap).chain(of_finish);
-        let found = found.chain(self.of_bodies()).chain(of_pair).chain(of_seal).chain(of_radii);
-        let found = found.chain(self.of_outline());
-        let mut found: Vec<Finding> =
-            self.warnings.iter().cloned().chain(found).chain(scan_findings).collect();
+        let offset = spec.surface.mean_plane_offset;
+        found.extend(offset.and_then(|offset| unusual("mean_plane_offset", offset)));
+        found.extend(of_section("gap", GAP, spec.gas.as_ref()));
+        if matches!(spec.heights.distribution, HeightDistribution::Gaussian) {
+            let skewed = spec
+                .surfaces()
+                .filter_map(|(section, one)| Some(one.drawing()?.skewed()?.within(section)));
+            found.extend(skewed);
+        }
+        found.extend(self.of_bodies());
+        found.extend(self.missing_hardness());
+        found.extend(of_section("seal", SEAL, spec.seal.as_ref()));
+        found.extend(of_section("curvature", CURVATURE, spec.curvature.as_ref()));
+        found.extend(self.of_outline());
+        found.extend(self.measured.iter().flat_map(|measured| self.scan_findings(measured)));
         self.judge_ends(&mut found);
-        let found = found.into_iter().collect();
-        let found = self.accepted(found).into_iter();
+        let found = self.accepted(found.into_iter().collect()).into_iter();
         let found = found.filter(|found| !self.warnings.contains(found));
         found.filter_map(|found| self.without_stated_unit(found)).collect()
     }
 
-    /// Judges numbers that are written as ranges at both ends: findings of the middle stay where no
-    /// range changes them, and of the ends the worst of each number is added.
+    /// Judges numbers that are written as ranges at both ends: what is unusual in the middle stays
+    /// where it is at both.
     fn judge_ends(&self, found: &mut Vec<Finding>) {
-        let (spec, mut worst) = (&self.spec, Vec::<Finding>::new());
+        let is_size = |found: &Finding| found.code == Code::UnusualSize;
+        let is_in = |all: &[Finding], one: &Finding| all.iter().any(|of| of.field == one.field);
         for (input, range) in &self.ranges {
-            let at_end = |value: f64| {
+            let ends = range.ends.map(|value| {
                 let made = self.with_inputs([(*input, value)]);
                 let made = made.map(|made| Self { ranges: vec![], ..made }.findings());
-                let found = made.into_iter().flatten();
-                found.filter(|one| input.is_beside(one, spec)).collect::<Vec<_>>()
-            };
-            let ends = range.ends.map(at_end);
-            let is_at =
-                |end: &Vec<Finding>, one: &Finding| end.iter().any(|e| e.field == one.field);
-            found.retain(|one| {
-                let is_kept = !input.is_of(one, spec) && ends.iter().all(|end| is_at(end, one));
-                !input.is_beside(one, spec) || is_kept
+                made.into_iter().flatten().filter(is_size).collect::<Vec<_>>()
             });
+            found.retain(|one| !is_size(one) || ends.iter().all(|end| is_in(end, one)));
             for (end, of_end) in ["lower", "upper"].into_iter().zip(ends) {
-                for new in of_end.into_iter().filter(|new| !is_at(found, new)) {
-                    let new = new.from_origin(format!("{end} end of {}", range.name));
-                    match worst.iter_mut().find(|known| known.field == new.field) {
-                        Some(known) if new.excess() > known.excess() => *known = new,
-                        Some(_) => {}
-                        None => worst.push(new),
+                for new in of_end {
+                    if !is_in(found, &new) {
+                        found.push(new.from_origin(format!("{end} end of {}", range.name)));
                     }
                 }
             }
         }
-        found.extend(worst);
     }
 
     /// A finding where the nominal area is not that of the seal.
@@ -223,9 +211,8 @@ impl SceneFile {
         Ok(check)
     }
 
-    /// The relative radii of curved bodies in place of the nominal area and, at a load \[N\], the
-    /// contact of smooth ones.
-    fn add_bodies(&self, check: &mut Check, load: Option<f64>) {
+    /// The relative radii of curved bodies in place of the nominal area.
+    fn add_bodies(&self, check: &mut Check) {
         let Some(shape) = self.shape() else { return };
         check.numbers.retain(|one| !["nominal_area", "asperities"].contains(&&*one.name));
         let found = std::mem::take(&mut check.findings).into_iter();
@@ -236,19 +223,8 @@ impl SceneFile {
             }
             Shape::Line { radius, .. } => vec![("radius_x", radius)],
         };
-        for (name, radius) in &radii {
-            check.add_number(*name, *radius, "m", "relative radius: 1/R = 1/R1 + 1/R2");
-        }
-        let Some(load) = load.filter(|load| *load > 0.0) else { return };
-        let smooth = Hertz::new(&shape, self.scene.interface.equivalent_modulus, load);
-        let meaning = "of smooth elastic bodies, by Hertz";
-        let axes = ["hertz_axis_x", "hertz_axis_y"].into_iter().zip(smooth.axes);
-        for (name, axis) in axes.take(radii.len()) {
-            check.add_number(name, axis, "m", meaning);
-        }
-        check.add_number("hertz_peak_pressure", smooth.peak_pressure, "Pa", meaning);
-        if let Some(approach) = smooth.approach {
-            check.add_number("hertz_approach", approach, "m", meaning);
+        for (name, radius) in radii {
+            check.add_number(name, radius, "m", "relative radius: 1/R = 1/R1 + 1/R2");
         }
     }
 
@@ -260,13 +236,13 @@ impl SceneFile {
                 let request = Request::new([Quantity::Area, Quantity::Contacts]);
                 let mut check = Check::of(&self.scene)?;
                 check.extend(model.compile(&self.scene, &request)?.notes(&[at]));
-                self.add_bodies(&mut check, at.load(&self.scene));
+                self.add_bodies(&mut check);
                 return Ok(check);
             }
             Some((model, at)) => Check::at(model, &self.scene, at)?,
             None => Check::of(&self.scene)?,
         };
-        self.add_bodies(&mut check, None);
+        self.add_bodies(&mut check);
         let valid = place.is_some() && !self.findings().are_implausible();
         let of_answer = std::mem::take(&mut check.findings).into_iter();
         check.findings = of_answer.filter(|found| valid && found.model.is_some()).collect();

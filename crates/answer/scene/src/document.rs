@@ -12,10 +12,9 @@ use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Table, Value};
 
-use crate::error::{Place, SceneError};
-use crate::keys::{COUNTERFACE, Field, Key, Subject, joined, keys_of, section_and_name};
-use crate::origin::Provenance;
-use crate::quantity::{in_si, range_hint};
+use crate::error::{Place, Provenance, SceneError};
+use crate::keys::{COUNTERFACE, Key, Subject, joined, keys_of, section_and_name};
+use crate::quantity::{in_si, without_unit};
 use crate::text_file::shorten;
 use crate::unknown::Unknown;
 
@@ -40,15 +39,14 @@ pub(crate) struct Document<'a> {
     text: &'a str,
     /// The offsets of the ends of lines.
     ends: Vec<usize>,
-    /// The values, with numbers in SI units instead of those with units.
-    pub(crate) table: Table,
     /// The keys of numbers that were written as two values, the ends of a range, with these; the
     /// middle stands in their place.
     pub(crate) ranges: Vec<(String, [f64; 2])>,
     /// Where each key was written.
     pub(crate) origin: Provenance,
-    /// Every key with the range of its value in the text.
-    values: BTreeMap<String, Range<usize>>,
+    /// Every key with the range of its value in the text, and the value, with numbers in SI units
+    /// instead of those with units.
+    values: BTreeMap<String, (Range<usize>, Value)>,
 }
 
 /// Whether the number of a key may be known within a range.
@@ -67,29 +65,25 @@ impl<'a> Document<'a> {
     ) -> Result<Self, SceneError> {
         let origin = Provenance { file: file.map(Path::to_path_buf), ..Provenance::default() };
         let ends = text.match_indices('\n').map(|(end, _)| end).collect();
-        let (table, ranges, values) = (Table::new(), vec![], BTreeMap::new());
-        let mut document = Self { files, text, ends, table, ranges, origin, values };
+        let (ranges, values) = (vec![], BTreeMap::new());
+        let mut document = Self { files, text, ends, ranges, origin, values };
         let root = DeTable::parse(text).map_err(|error| document.toml_error(&error))?;
-        document.keep_place("", 0, root.span());
-        document.table = document.read_table(root.get_ref(), "")?;
+        let (span, root) = (root.span(), DeValue::Table(root.into_inner()));
+        document.keep("", 0, &Spanned::new(span, root))?;
         Ok(document)
     }
 
-    /// The values of a section, with numbers in SI units instead of texts with a unit; keeps the
-    /// places of its keys.
-    fn read_table(&mut self, table: &DeTable<'_>, section: &str) -> Result<Table, SceneError> {
-        let value = |(key, value): (&Spanned<Cow<'_, str>>, &Spanned<DeValue<'_>>)| {
-            let (a, b) = (key.span(), value.span());
-            let path = joined(section, &shorten(key.get_ref()));
-            self.keep_place(&path, a.start.min(b.start), b);
-            Ok((key.get_ref().clone().into_owned(), self.read_value(value.get_ref(), &path)?))
-        };
-        table.iter().map(value).collect()
-    }
-
-    fn keep_place(&mut self, path: &str, start: usize, value: Range<usize>) {
+    /// A value, with numbers in SI units instead of texts with a unit; keeps it with its place.
+    fn keep(
+        &mut self,
+        path: &str,
+        start: usize,
+        value: &Spanned<DeValue<'_>>,
+    ) -> Result<Value, SceneError> {
         self.origin.lines.extend(self.line(start).map(|line| (path.to_string(), line)));
-        self.values.insert(path.into(), value);
+        let read = self.read_value(value.get_ref(), path)?;
+        self.values.insert(path.into(), (value.span(), read.clone()));
+        Ok(read)
     }
 
     fn read_value(&mut self, value: &DeValue<'_>, path: &str) -> Result<Value, SceneError> {
@@ -101,8 +95,6 @@ impl<'a> Document<'a> {
                 Some(units) => {
                     let number = in_si(text, key, units).map_err(|hint| {
                         let (at, found) = (self.place(path), format!("{:?}", shorten(text)));
-                        let range = range_hint(text).filter(|_| may_have_range(path));
-                        let hint = range.unwrap_or(hint);
                         SceneError::notation(at, &found, &hint)
                     })?;
                     self.origin.stated.push(path.into());
@@ -117,21 +109,26 @@ impl<'a> Document<'a> {
             DeValue::Datetime(value) => Value::Datetime(*value),
             DeValue::Array(items) => {
                 let item = |(item, k): (&Spanned<DeValue<'_>>, i32)| {
-                    let item_path = format!("{path}[{k}]");
-                    self.keep_place(&item_path, item.span().start, item.span());
-                    self.read_value(item.get_ref(), &item_path)
+                    self.keep(&format!("{path}[{k}]"), item.span().start, item)
                 };
                 let items = items.iter().zip(1..).map(item).collect::<Result<Vec<_>, _>>()?;
                 self.range(path, &items)?.unwrap_or(Value::Array(items))
             }
-            DeValue::Table(inner) => Value::Table(self.read_table(inner, path)?),
+            DeValue::Table(inner) => {
+                let value = |(key, value): (&Spanned<Cow<'_, str>>, &Spanned<DeValue<'_>>)| {
+                    let path = joined(path, &shorten(key.get_ref()));
+                    let start = key.span().start.min(value.span().start);
+                    Ok((key.get_ref().clone().into_owned(), self.keep(&path, start, value)?))
+                };
+                Value::Table(inner.iter().map(value).collect::<Result<_, SceneError>>()?)
+            }
         })
     }
 
     /// The middle of the range of a number that is written as two values; keeps the ends.
     ///
     /// # Errors
-    /// [`SceneError::Wrong`] where one end has a unit and the other, which is not 0, has none.
+    /// [`SceneError::Refused`] where one end has a unit and the other, which is not 0, has none.
     fn range(&mut self, path: &str, items: &[Value]) -> Result<Option<Value>, SceneError> {
         let number = |item: &Value| item.as_float().or_else(|| item.clone().try_into().ok());
         let numbers = items.iter().map(number).collect::<Option<Vec<f64>>>();
@@ -140,12 +137,10 @@ impl<'a> Document<'a> {
             return Ok(None);
         }
         let stated = [1, 2].map(|k| self.origin.is_stated(&format!("{path}[{k}]")));
-        let bare = usize::from(stated[0]);
-        if stated[0] != stated[1] && [*one, *other][bare] != 0.0 {
-            let (at, found) =
-                (self.place(&format!("{path}[{}]", bare + 1)), items[bare].to_string());
+        if let Some(bare) = without_unit([*one, *other], stated) {
+            let at = self.place(&format!("{path}[{}]", bare + 1));
             let hint = "has no unit, and the other end has one: give both ends a unit";
-            return Err(SceneError::notation(at, &found, hint));
+            return Err(SceneError::notation(at, &items[bare].to_string(), hint));
         }
         // One that is no number stays, to be refused.
         let ends = if one <= other { [*one, *other] } else { [*other, *one] };
@@ -159,41 +154,19 @@ impl<'a> Document<'a> {
 
     /// The value of a key.
     pub(crate) fn value(&self, path: &str) -> Option<&Value> {
-        let (first, rest) = path.split_once('.').unwrap_or((path, ""));
-        let (name, k) = first.trim_end_matches(']').split_once('[').unwrap_or((first, ""));
-        let mut found = self.table.get(name)?;
-        if let Ok(k) = k.parse::<usize>() {
-            found = found.get(k.checked_sub(1)?)?;
-        }
-        rest.split('.')
-            .filter(|name| !name.is_empty())
-            .try_fold(found, |found, name| found.get(name))
-    }
-
-    /// The number of a key.
-    pub(crate) fn number(&self, path: &str) -> Result<Option<f64>, SceneError> {
-        self.get(path)
+        self.values.get(path).map(|(_, value)| value)
     }
 
     /// The number of a key that a scene must have.
     pub(crate) fn needed_number(&self, path: &str) -> Result<f64, SceneError> {
-        self.number(path)?
+        self.get(path)?
             .ok_or_else(|| self.missing(path, format!("a number ({})", Key::meaning(path))))
     }
 
-    /// Sets the numbers of a section that are given.
-    pub(crate) fn read_numbers<T>(
-        &self,
-        section: &str,
-        fields: &[Field<T>],
-        into: &mut T,
-    ) -> Result<(), SceneError> {
-        for Field { name, set, .. } in fields {
-            if let Some(number) = self.number(&joined(section, name))? {
-                set(into, number);
-            }
-        }
-        Ok(())
+    /// The keys of a section, if it is there, as one of the types of the library.
+    pub(crate) fn section<T: DeserializeOwned>(&self, name: &str) -> Result<Option<T>, SceneError> {
+        let read = || self.read_over(name, &keys_of(name), Table::new());
+        self.has(name).then(read).transpose()
     }
 
     /// The value of a key as one of the types of the library.
@@ -223,15 +196,14 @@ impl<'a> Document<'a> {
 
     /// Refuses the first key of a section that it does not have.
     pub(crate) fn check_keys(&self, section: &str, known: &[&str]) -> Result<(), SceneError> {
-        let table = match (section, self.value(section)) {
-            ("", _) => &self.table,
-            (_, None) => return Ok(()),
-            (_, Some(Value::Table(table))) => table,
+        let table = match self.value(section) {
+            None => return Ok(()),
+            Some(Value::Table(table)) => table,
             _ => return Err(self.wrong(section, &format!("a table, [{section}],"))),
         };
         let unknown = table.keys().filter(|name| !known.contains(&name.as_str()));
         let unknown = unknown.map(|name| joined(section, &shorten(name)));
-        let start = |path: &String| self.values.get(path).map(|value| value.start);
+        let start = |path: &String| self.values.get(path).map(|(span, _)| span.start);
         unknown.min_by_key(start).map_or(Ok(()), |path| Err(self.unknown(&path, known)))
     }
 
@@ -243,7 +215,7 @@ impl<'a> Document<'a> {
         for section in sections.filter(|section| !is_word || *section != COUNTERFACE) {
             self.check_keys(section, &keys_of(section))?;
         }
-        let bodies = self.table.get("body").and_then(Value::as_array).map_or(0, Vec::len);
+        let bodies = self.value("body").and_then(Value::as_array).map_or(0, Vec::len);
         (1..=bodies).try_for_each(|k| self.check_keys(&format!("body[{k}]"), &keys_of("body")))
     }
 
@@ -275,9 +247,9 @@ impl<'a> Document<'a> {
         let Files::Handed(files) = self.files else { return Ok(None) };
         let found = path.to_str().and_then(|name| files.get(name));
         found.map(|bytes| Some(bytes.as_slice())).ok_or_else(|| {
-            let at = self.place(field);
-            let at = Box::new(Place { field: format!("{} = {path:?}", at.field), ..*at });
-            SceneError::Refused { at, reason: "the file has not been chosen".into() }
+            let at = *self.place(field);
+            let at = Place { field: format!("{} = {path:?}", at.field), ..at };
+            SceneError::refused(at, "the file has not been chosen")
         })
     }
 

@@ -1,5 +1,6 @@
-//! Errors of scene files: place, value found, value needed.
+//! Errors of scene files: place, value found, value needed; and where numbers were written.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -42,28 +43,52 @@ impl fmt::Display for Place {
     }
 }
 
+/// Where each number of a scene was written: in a line of a file, or as a keyword.
+#[derive(Debug, Clone, Default)]
+pub struct Provenance {
+    pub(crate) file: Option<PathBuf>,
+    /// The line of each key and of each section; none for keywords.
+    pub(crate) lines: BTreeMap<String, usize>,
+    /// The keys of numbers with a unit.
+    pub(crate) stated: Vec<String>,
+    /// The scans that the scene names.
+    pub(crate) files: Vec<PathBuf>,
+}
+
+impl Provenance {
+    /// The place of a key; a missing key has the line of its section.
+    #[must_use]
+    pub fn place(&self, path: &str) -> Place {
+        let section = path.rsplit_once(['.', '[']).map_or("", |(section, _)| section);
+        let line = self.lines.get(path).or_else(|| self.lines.get(section)).copied();
+        // The top of a file is its first line.
+        let line = line.or(self.lines.get("").copied());
+        Place { file: self.file.clone(), line, field: path.into() }
+    }
+
+    /// Whether a number was given with its unit, by its path or its key in any section.
+    #[must_use]
+    pub fn is_stated(&self, key: &str) -> bool {
+        self.stated.iter().any(|path| path == key || path.ends_with(&format!(".{key}")))
+    }
+}
+
 /// An error in a scene file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SceneError {
     /// A file that cannot be read or written, a text that is not TOML or CSV, a surface without
-    /// asperities, a scene without a model.
-    #[error("{at}: {reason}")]
-    Refused {
-        /// The place, or the field that names the file.
-        at: Box<Place>,
-        /// The reason from the system, the parser or the library.
-        reason: String,
-    },
-    /// A key that its section does not have or needs, or a value of the wrong kind, out of its
-    /// range, not one of the allowed names, or in another notation.
+    /// asperities, a scene without a model; a key that its section does not have or needs, or a
+    /// value of the wrong kind, out of its range, not one of the allowed names, or in another
+    /// notation.
     #[error("{at}{link}{reason}")]
-    Wrong {
-        /// The field; a missing one at the line of its section.
+    Refused {
+        /// The field, a missing one at the line of its section, or the field that names the file.
         at: Box<Place>,
-        /// Between the field and the reason: " is ", or " = " of a text that is no number.
+        /// Between the field and the reason: ": ", " is ", or " = " of a text that is no number.
         link: &'static str,
-        /// The value found, a similar name, and the value needed.
+        /// The reason from the system, the parser or the library; or the value found, a similar
+        /// name, and the value needed.
         reason: String,
     },
     /// Two fields that exclude each other.
@@ -98,8 +123,7 @@ impl SceneError {
     #[must_use]
     pub fn place(&self) -> Option<&Place> {
         match self {
-            Self::Refused { at, .. } => Some(at),
-            Self::Wrong { at, .. } | Self::Conflict { at, .. } => Some(at),
+            Self::Refused { at, .. } | Self::Conflict { at, .. } => Some(at),
             Self::Input { .. } | Self::Fit(_) => None,
         }
     }
@@ -111,38 +135,46 @@ impl SceneError {
             Self::Conflict { other, needed, .. } => {
                 format!("not possible beside {}: {needed} was required", other.field)
             }
-            Self::Refused { reason, .. }
-            | Self::Wrong { reason, .. }
-            | Self::Input { reason, .. } => reason.clone(),
+            Self::Refused { reason, .. } | Self::Input { reason, .. } => reason.clone(),
             Self::Fit(error) => error.to_string(),
         }
     }
 
+    /// An error with its reason.
+    pub(crate) fn refused(at: impl Into<Box<Place>>, reason: impl Into<String>) -> Self {
+        Self::Refused { at: at.into(), link: ": ", reason: reason.into() }
+    }
+
     /// An error for a value, with the value needed instead.
-    pub(crate) fn value(at: Box<Place>, found: impl fmt::Debug, needed: &str) -> Self {
+    pub(crate) fn value(at: impl Into<Box<Place>>, found: impl fmt::Debug, needed: &str) -> Self {
         let found = format!("{found:?}");
         let found = found.parse().map_or(found, asperity::written);
         Self::of_names(at, &found, None, needed)
     }
 
     /// The same with the most similar name, if the value is none of some names.
-    pub(crate) fn of_names(at: Box<Place>, found: &str, near: Option<&str>, needed: &str) -> Self {
+    pub(crate) fn of_names(
+        at: impl Into<Box<Place>>,
+        found: &str,
+        near: Option<&str>,
+        needed: &str,
+    ) -> Self {
         Self::wrong(at, format!("{found}{}: {needed} was required", nearest_hint(near)))
     }
 
     /// A field that is wrong: the reason follows "is".
-    pub(crate) fn wrong(at: Box<Place>, reason: String) -> Self {
-        Self::Wrong { at, link: " is ", reason }
+    pub(crate) fn wrong(at: impl Into<Box<Place>>, reason: String) -> Self {
+        Self::Refused { at: at.into(), link: " is ", reason }
     }
 
     /// A missing field.
-    pub(crate) fn missing(at: Box<Place>, needed: &str) -> Self {
+    pub(crate) fn missing(at: impl Into<Box<Place>>, needed: &str) -> Self {
         Self::wrong(at, format!("missing: {needed}"))
     }
 
     /// A number in another notation.
     pub(crate) fn notation(at: Box<Place>, found: &str, hint: &str) -> Self {
-        Self::Wrong { at, link: " = ", reason: format!("{found} {hint}") }
+        Self::Refused { at, link: " = ", reason: format!("{found} {hint}") }
     }
 
     /// An error of the library at the field of the scene file; `at` gives the place of a field.
@@ -152,7 +184,7 @@ impl SceneError {
                 Self::value(at(field), value, required)
             }
             ContactError::Missing { field, reason } => Self::missing(at(field), &reason),
-            source => Self::Refused { at: at(""), reason: source.to_string() },
+            source => Self::refused(at(""), source.to_string()),
         }
     }
 }

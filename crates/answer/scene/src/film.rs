@@ -39,8 +39,7 @@ impl SceneFile {
             (None, None) => Ok((1.0, 0.0)),
         };
         let moving = moving.map_err(|reason| {
-            let at = Place::field(format!("surface.{PEKLENIK}")).into();
-            SceneError::Refused { at, reason }
+            SceneError::refused(Place::field(format!("surface.{PEKLENIK}")), reason)
         })?;
         // Two scans are of like surfaces, and so are the surfaces of a model of pairs.
         let of_like = if self.measured.is_some() || alike { moving } else { (1.0, 0.0) };

@@ -46,7 +46,7 @@ impl Drawing {
         let finish = word.map(|word| named(document, &at("finish"), &word)).transpose()?;
         let mut drawing = Self { finish, ..Self::default() };
         for key in FINISH.iter().filter(|key| **key != "finish") {
-            drawing.numbers.extend(document.number(&at(key))?.map(|number| (*key, number)));
+            drawing.numbers.extend(document.get(&at(key))?.map(|number| (*key, number)));
         }
         match drawing.conflict() {
             Some((one, other, needed)) => Err(document.conflict(&at(one), &at(other), needed)),
@@ -165,15 +165,11 @@ impl Drawing {
     /// The cut-offs of the profile \[m\], λ_s and λ_c: refuses those that no profile has, and
     /// an Rq below Ra.
     fn cut_offs(&self, height: &Unknown) -> Found<[f64; 2]> {
-        let usual = Range::cut_offs(self.ra(height)?);
-        let mut found = [0.0; 2];
-        for (k, key) in ["lambda_s", "lambda_c"].into_iter().enumerate() {
-            found[k] = match self.number(key)?.or(usual.map(|usual| usual[k])) {
-                Some(length) => length,
-                None => return missing(key, "a cut-off of the profile"),
-            };
-        }
-        let [short_cut, cut] = found;
+        let Some([usual_short, usual]) = Range::cut_offs(self.ra(height)?) else {
+            return missing("lambda_c", "a cut-off of the profile");
+        };
+        let short_cut = self.number("lambda_s")?.unwrap_or(usual_short);
+        let cut = self.number("lambda_c")?.unwrap_or(usual);
         let below = self.number("rq")?.zip(self.number("ra")?).filter(|(rq, ra)| rq < ra);
         let (field, value, required) = match below {
             Some((rq, _)) => ("rq", rq, "a value of at least ra"),
@@ -181,7 +177,7 @@ impl Drawing {
                 ("lambda_c", cut, "a length in m up to 0.08, for example \"0.8 mm\",")
             }
             None if cut <= short_cut => ("lambda_c", cut, "a cut-off longer than lambda_s"),
-            None => return Ok(found),
+            None => return Ok([short_cut, cut]),
         };
         Err(ContactError::OutOfRange { field, value, required })
     }

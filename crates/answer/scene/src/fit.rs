@@ -6,12 +6,80 @@ use asperity::fit::{
     Data, Fit, FitError, Fitted, MeasuredTable, Parameter, Progress, Rig, Role, USUAL_FACTOR,
     places, predict,
 };
-use asperity::{Best, Described, Findings, Model, Severity, short, unusual};
+use asperity::{Best, Body, Described, Findings, Model, Severity, unusual};
 
 use crate::error::{Place, SceneError};
-use crate::free::{Free, unit_of_free};
 use crate::keys::{BODY, Field, Key, key_of_input};
+use crate::quantity::{quantity, quantity_of, unit_of, without_unit};
 use crate::scene_file::SceneFile;
+
+/// A free parameter: an input of a scene by its name, `separation_offset` or `series_compliance`,
+/// with its bounds in SI units if they are given.
+///
+/// ```
+/// use asperity_scene::Free;
+///
+/// let free: Free = "asperity_height_std=0.1um:5um".parse()?;
+/// assert_eq!(free.bounds, Some([1e-7, 5e-6]));
+/// assert_eq!("hardness".parse::<Free>()?.bounds, None);
+/// # Ok::<(), String>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Free {
+    /// The name.
+    pub name: String,
+    /// The smallest and the largest value.
+    pub bounds: Option<[f64; 2]>,
+    /// Whether the bounds were given with a unit, so that they are in no other.
+    pub has_unit: bool,
+}
+
+impl std::str::FromStr for Free {
+    type Err = String;
+
+    /// Reads `name` or `name=low:high`, with or without units.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, bounds) = text.split_once('=').map_or((text, None), |(a, b)| (a, Some(b)));
+        let name = name.trim();
+        if name.is_empty() {
+            let example = "write name or name=low:high, for example hardness=1GPa:4GPa";
+            return Err(format!("a free parameter has no name: {example}"));
+        }
+        let Some(bounds) = bounds else {
+            return Ok(Self { name: name.into(), bounds: None, has_unit: false });
+        };
+        let refused = |reason: String| format!("{name}: {reason}");
+        let number = |text: &str| match Role::of(name) {
+            Role::Scene => quantity_of(key_of_input(name), text),
+            _ => quantity(text, unit_of_free(name).unwrap_or_default()),
+        };
+        let Some((low, high)) = bounds.split_once(':') else {
+            return Err(refused(format!(
+                "{bounds:?} is one value: write {name}=low:high for bounds, or {name} alone"
+            )));
+        };
+        let has_unit = [low, high].map(|text| text.trim().parse::<f64>().is_err());
+        let bounds = [number(low).map_err(refused)?, number(high).map_err(refused)?];
+        if let Some(bare) = without_unit(bounds, has_unit) {
+            return Err(refused(format!(
+                "{} has no unit; give both bounds a unit",
+                [low, high][bare]
+            )));
+        }
+        let (bounds, has_unit) = (Some(bounds), has_unit.contains(&true));
+        Ok(Self { name: name.into(), bounds, has_unit })
+    }
+}
+
+/// The SI unit of a free parameter; `None` for pure numbers.
+#[must_use]
+pub(crate) fn unit_of_free(name: &str) -> Option<&'static str> {
+    match Role::of(name) {
+        Role::SeparationOffset => Some("m"),
+        Role::SeriesCompliance => Some("m/N"),
+        _ => unit_of(key_of_input(name)),
+    }
+}
 
 impl SceneFile {
     /// The measured values of a table, whose separations are measured from the plane of this scene.
@@ -50,11 +118,20 @@ impl SceneFile {
             Some((start, bounds, scale)) => (Some(start), Some(bounds), scale),
             None => {
                 let input = self.inputs([free.name.as_str()])?;
-                if let Some(reason) = self.unlike_bodies(&free.name) {
-                    return Err(refused(&free.name, reason));
-                }
                 let value = input.first().and_then(|input| self.value_of(*input));
-                let value = value.or_else(|| self.derived(&free.name));
+                // Even where the contact depends on the softer body only: which one that is may
+                // change in a fit.
+                let is_of = |field: &Field<Body>| {
+                    self.bodies().iter().any(|one| (field.get)(one).is_some())
+                };
+                if value.is_none() && Field::of(BODY, &free.name).is_some_and(is_of) {
+                    let name = &free.name;
+                    let reason =
+                        format!("the bodies differ in it: free body1_{name} or body2_{name}");
+                    return Err(refused(name, reason));
+                }
+                let range = || self.unknowns().into_iter().find(|one| one.name == free.name);
+                let value = value.or_else(|| Some(range()?.middle()));
                 let usual = value.filter(|value| *value > 0.0);
                 let usual = usual.map(|value| [value / USUAL_FACTOR, value * USUAL_FACTOR]);
                 let (usual, scale) = match key_of_input(&free.name) {
@@ -79,33 +156,6 @@ impl SceneFile {
         let middle = if low > 0.0 { (low * high).sqrt() } else { 0.5 * (low + high) };
         let start = start.unwrap_or(middle);
         Ok(Parameter::new(free.name.clone(), unit, start, [low, high], scale)?)
-    }
-
-    /// The reason against one value of both bodies for a number in which they differ, even where
-    /// the contact depends on the softer one only: which one that is may change in a fit.
-    fn unlike_bodies(&self, name: &str) -> Option<String> {
-        let field = Field::of(BODY, name)?;
-        let [first, second] = self.bodies() else { return None };
-        let values = [first, second].map(|body| (field.get)(body));
-        let bits = values.map(|value| value.map(f64::to_bits));
-        let shown = values.map(|value| value.map_or_else(|| "none".into(), short));
-        (bits[0] != bits[1]).then(|| {
-            let [one, two] = shown;
-            format!("the bodies differ in it ({one} and {two}): free body1_{name} or body2_{name}")
-        })
-    }
-
-    /// A hardness that follows from a yield strength, or the strength from the hardness of both
-    /// bodies.
-    fn derived(&self, name: &str) -> Option<f64> {
-        let range = self.unknowns().into_iter().find(|one| one.name == name);
-        let asperity = || self.scene.asperity().ok();
-        match (range, name) {
-            (Some(range), _) => Some(range.middle()),
-            (None, "hardness") => asperity()?.hardness,
-            (None, "yield_strength") => asperity()?.yield_strength,
-            _ => None,
-        }
     }
 
     /// A model fitted to data from this scene, with unusual results where they were measured;

@@ -68,7 +68,7 @@ fn inline_heights(
         ContactError::InTable { row, field, value, required } => {
             let place = document.place(&format!("{at}.{field}"));
             let place = Place { field: format!("{}[{row}]", place.field), ..*place };
-            SceneError::value(place.into(), value, required)
+            SceneError::value(place, value, required)
         }
         other => document.refused(at)(other),
     })

@@ -1,9 +1,7 @@
 //! Numbers of a scene that can be read and replaced, by the sections in which they are written.
 
-use asperity::{Code, Finding};
-
-use crate::keys::{BODIES, COUNTERFACE, Field, INTERFACE, OF_PAIR, SECOND, joined};
-use crate::spec::{Bodies, SceneSpec, SurfaceSpec};
+use crate::keys::{Field, INTERFACE, OF_PAIR, PREFIXES, joined};
+use crate::spec::{SceneSpec, SurfaceSpec};
 
 /// The numbers of the contact as a whole.
 pub(crate) const SCENE: &[Field<SceneSpec>] = &[Field {
@@ -26,91 +24,46 @@ pub(crate) const OWN: &[Field<SurfaceSpec>] = &[
     },
 ];
 
+/// The sections of each body; `body` is that of both.
+pub(crate) const EACH: [&str; 2] = [PREFIXES[0].0, PREFIXES[1].0];
+
 /// A number of a scene that can be read and replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SceneInput {
-    pub(crate) of: Of,
+    /// The section of a scene file in which it is written; numbers that two bodies have together
+    /// are written above them.
+    pub(crate) section: &'static str,
     pub(crate) key: &'static str,
-}
-
-/// What a number describes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Of {
-    /// The contact as a whole.
-    Scene,
-    Interface,
-    /// One body, by its index.
-    Body(usize),
-    /// Every body.
-    Bodies,
-    /// The first surface or the second.
-    Surface(bool),
-    Heights,
-    Curvature,
-    Gap,
-    Seal,
 }
 
 impl SceneInput {
     /// Its name: that of its key, of a body or the second surface behind theirs.
     pub(crate) fn name(self) -> String {
-        let before = match self.of {
-            Of::Body(k) => BODIES[k],
-            Of::Surface(true) => SECOND,
-            _ => "",
-        };
-        format!("{before}{}", self.key)
+        let own = PREFIXES.iter().find(|(section, _)| *section == self.section);
+        format!("{}{}", own.map_or("", |(_, before)| before), self.key)
     }
 
-    /// The section of a scene file in which it is written.
-    pub(crate) fn section(self, bodies: &Bodies) -> &'static str {
-        match self.of {
-            Of::Interface if bodies.list().is_empty() => "interface",
-            Of::Scene | Of::Interface => "",
-            Of::Body(0) => "body[1]",
-            Of::Body(_) => "body[2]",
-            Of::Bodies => "body",
-            Of::Surface(second) => ["surface", COUNTERFACE][usize::from(second)],
-            Of::Heights => "surface.heights",
-            Of::Curvature => "curvature",
-            Of::Gap => "gap",
-            Of::Seal => "seal",
-        }
-    }
-
-    /// Whether a finding is of this number.
-    pub(crate) fn is_of(self, found: &Finding, spec: &SceneSpec) -> bool {
-        let path = joined(self.section(&spec.bodies), self.key);
-        found.field == self.key || found.field == path
-    }
-
-    /// Whether a finding is of this number or, for a material, of another one beside which it is
-    /// judged.
-    pub(crate) fn is_beside(self, found: &Finding, spec: &SceneSpec) -> bool {
-        let section = joined(self.section(&spec.bodies), "");
-        let is_material = match self.of {
-            Of::Interface => Field::of(INTERFACE, &found.field).is_some(),
-            Of::Body(_) => found.field.starts_with(&section),
-            _ => false,
-        };
-        found.code == Code::UnusualSize && (is_material || self.is_of(found, spec))
+    /// Its key behind its section.
+    pub(crate) fn path(self) -> String {
+        joined(self.section, self.key)
     }
 
     /// Whether this number replaces another one.
     pub(crate) fn sets(self, other: Self) -> bool {
-        let is_of_all = matches!((self.of, other.of), (Of::Bodies, Of::Body(_)));
+        let is_of_all = self.section == "body" && EACH.contains(&other.section);
         self == other || is_of_all && self.key == other.key
     }
 
     /// Whether a number has no meaning beside another one.
     pub(crate) fn excludes(self, other: Self) -> bool {
-        match (self.of, other.of) {
-            (Of::Bodies, Of::Body(_)) => self.key == other.key,
-            (Of::Interface, Of::Body(_) | Of::Bodies) => {
-                let is_elastic = ["youngs_modulus", "poissons_ratio"].contains(&other.key);
-                is_elastic && !OF_PAIR.contains(&self.key)
+        let is_elastic = other.section.starts_with("body")
+            && ["youngs_modulus", "poissons_ratio"].contains(&other.key);
+        match self.section {
+            "" | "interface" => {
+                let is_own = Field::of(INTERFACE, self.key).is_some();
+                is_own && is_elastic && !OF_PAIR.contains(&self.key)
             }
-            _ => false,
+            _ => self != other && self.sets(other),
         }
     }
 }

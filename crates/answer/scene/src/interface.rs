@@ -1,11 +1,11 @@
 //! `[interface]`, or the bodies from which it follows.
 
 use asperity::{Body, Interface, nearest_name};
-use toml::Value;
+use toml::{Table, Value};
 
 use crate::document::Document;
 use crate::error::SceneError;
-use crate::keys::{BODY, INTERFACE, MECHANICAL};
+use crate::keys::{BODY, MECHANICAL, keys_of};
 use crate::materials::{Material, materials_like, named, names};
 use crate::spec::Bodies;
 use crate::text_file::shorten;
@@ -17,7 +17,7 @@ pub(crate) fn bodies(document: &Document<'_>) -> Result<Bodies, SceneError> {
     let count = document.get::<Vec<Value>>("body")?.map_or(0, |bodies| bodies.len());
     let each = (1..=count).map(|k| body(document, &format!("body[{k}]")));
     let each = each.collect::<Result<Vec<_>, _>>()?;
-    let work_of_adhesion = document.number("work_of_adhesion")?;
+    let work_of_adhesion = document.get("work_of_adhesion")?;
     if let Some(interface) = equivalent(document)? {
         if let Some(other) = ["body", "rigid_counterface"].into_iter().find(|key| document.has(key))
         {
@@ -53,7 +53,7 @@ type Made = (Body, Option<&'static Material>);
 /// A body, with the numbers of its material unless it has its own.
 fn body(document: &Document<'_>, section: &str) -> Result<Made, SceneError> {
     let path = |name: &str| format!("{section}.{name}");
-    let (mut body, material) = match document.get::<String>(&path("material"))? {
+    let (body, material) = match document.get::<String>(&path("material"))? {
         Some(id) => {
             if let Some(name) = MECHANICAL.into_iter().find(|name| document.has(&path(name))) {
                 let needed = "the material alone, or instead of it its numbers in the list of materials, changed as needed,";
@@ -77,20 +77,20 @@ fn body(document: &Document<'_>, section: &str) -> Result<Made, SceneError> {
             (Body::elastic(modulus, ratio), None)
         }
     };
-    document.read_numbers(section, BODY, &mut body)?;
-    Ok((body, material))
+    let names: Vec<&str> = BODY.iter().map(|field| field.name).collect();
+    let keys = Table::try_from(body).unwrap_or_default();
+    Ok((document.read_over(section, &names, keys)?, material))
 }
 
 /// The properties in `[interface]`.
 fn equivalent(document: &Document<'_>) -> Result<Option<Interface>, SceneError> {
-    if document.value("interface").is_none() {
+    if !document.has("interface") {
         return Ok(None);
     }
     let modulus = document.needed_number("interface.equivalent_modulus")?;
     let ratio = document.needed_number("interface.poissons_ratio")?;
-    let mut interface = Interface::elastic(modulus, ratio);
-    document.read_numbers("interface", INTERFACE, &mut interface)?;
-    Ok(Some(interface))
+    let keys = Table::try_from(Interface::elastic(modulus, ratio)).unwrap_or_default();
+    document.read_over("interface", &keys_of("interface"), keys).map(Some)
 }
 
 #[cfg(test)]
@@ -111,6 +111,6 @@ mod tests {
         let listed = materials().iter().find(|material| material.id == "steel-100cr6").unwrap();
         assert_eq!(steel.bodies()[0].hardness, listed.body.hardness);
         assert_eq!(steel.bodies()[0].thermal_conductivity, Some(40.0));
-        assert!(steel.to_toml(&[]).unwrap().contains("material = \"steel-100cr6\""));
+        assert!(steel.to_toml().unwrap().contains("material = \"steel-100cr6\""));
     }
 }

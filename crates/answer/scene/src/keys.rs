@@ -5,8 +5,7 @@
 use asperity::{Body, Interface, Surface, Units, units};
 
 use crate::curvature::Curvature;
-use crate::gap::Gas;
-use crate::seal::Seal;
+use crate::seal::{Gas, Seal};
 
 /// A key of a scene file.
 #[derive(Debug, Clone, Copy)]
@@ -279,16 +278,14 @@ pub(crate) const MECHANICAL: [&str; 4] =
     ["youngs_modulus", "poissons_ratio", "hardness", "yield_strength"];
 /// The numbers of an interface that do not follow from its bodies.
 pub(crate) const OF_PAIR: [&str; 2] = ["work_of_adhesion", "pressure_factor"];
-/// What names of numbers of one body, or of the second surface, begin with.
-pub(crate) const BODIES: [&str; 2] = ["body1_", "body2_"];
-pub(crate) const SECOND: &str = "counterface_";
+/// What names of numbers of one body, or of the second surface, begin with, by their sections.
+pub(crate) const PREFIXES: [(&str, &str); 3] =
+    [("body[1]", "body1_"), ("body[2]", "body2_"), (COUNTERFACE, "counterface_")];
 
 /// The key in scene files of a number of a scene: `hardness` of `body1_hardness`.
 #[must_use]
 pub fn key_of_input(name: &str) -> &str {
-    let [first, second] = BODIES;
-    let starts = [first, second, SECOND];
-    starts.iter().find_map(|start| name.strip_prefix(start)).unwrap_or(name)
+    PREFIXES.iter().find_map(|(_, start)| name.strip_prefix(start)).unwrap_or(name)
 }
 
 impl Key {

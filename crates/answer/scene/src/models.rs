@@ -61,10 +61,7 @@ impl SceneFile {
             return Ok(Model::known(Correlated { correlation, roughness }));
         }
         match self.no_asperities_for(&model) {
-            Some(reason) => {
-                let at = Place::field("surface.file").into();
-                Err(SceneError::Refused { at, reason })
-            }
+            Some(reason) => Err(SceneError::refused(Place::field("surface.file"), reason)),
             None => Ok(model),
         }
     }

@@ -65,7 +65,7 @@ impl ModelOptions {
     /// Sets one option; on error, no option changes.
     ///
     /// # Errors
-    /// [`SceneError::Wrong`] with a similar name and the values
+    /// [`SceneError::Refused`] with a similar name and the values
     /// allowed.
     pub fn set(&mut self, name: &str, value: &Value) -> Result<(), SceneError> {
         let text = format!("{} = {value}\n", Value::from(name));
@@ -95,7 +95,7 @@ impl ModelOptions {
         }
         let which = if ids.is_empty() { "scenes".into() } else { ids.join(", ") };
         let reason = format!("does not change {id}; it is an option of {which}");
-        Err(SceneError::Refused { at: Place::field(option).into(), reason })
+        Err(SceneError::refused(Place::field(option), reason))
     }
 
     /// The options that differ from the defaults, by name.

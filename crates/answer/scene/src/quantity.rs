@@ -1,7 +1,7 @@
 //! Numbers with a unit, "210 GPa", in SI units.
 
 use asperity::{
-    Units, hardness_of_vickers, plain_unit as plain, short, units, vickers_of_brinell,
+    Units, hardness_of_vickers, plain_unit as plain, units, vickers_of_brinell,
     vickers_of_rockwell_c,
 };
 
@@ -91,14 +91,17 @@ pub(crate) fn in_si(text: &str, key: &str, units: &Units) -> Result<f64, String>
         if let Some(hint) = notation_hint(text) {
             return hint.into();
         }
-        if let Some(hint) = prefixed(text, units) {
-            return hint;
-        }
         let typed = Key::find("", key).map(|key| key.form[1]).filter(|typed| !typed.is_empty());
         let (si, example) = (units.si, typed.unwrap_or(units.example));
         let names = units.decimal.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ");
         format!("is not a number in {si}: write \"{example}\", for example (units: {names})")
     })
+}
+
+/// Which of two ends has no unit where the other has one; 0 needs none.
+pub(crate) fn without_unit(ends: [f64; 2], has_unit: [bool; 2]) -> Option<usize> {
+    let bare = usize::from(has_unit[0]);
+    (has_unit[0] != has_unit[1] && ends[bare] != 0.0).then_some(bare)
 }
 
 /// What is wrong with a number that is refused for its commas or points; `None` for other texts.
@@ -116,45 +119,6 @@ pub fn notation_hint(text: &str) -> Option<&'static str> {
     let separators = text.char_indices().filter(|(_, c)| ",'\u{2019}\u{a0}\u{202f}".contains(*c));
     let is_odd = { separators }.any(separates) || text.matches('.').count() > 1;
     is_odd.then_some("has a decimal comma or separators of thousands; write it as 1234.5")
-}
-
-/// How a range is written that is one text, "1.6-2.4 GPa", "1.6 to 2.4" or "2 +- 0.4 GPa": the
-/// value with the hint.
-pub(crate) fn range_hint(text: &str) -> Option<String> {
-    let ends = ["+-", "+/-", "±", "...", "..", " to ", "–", "-"].into_iter().find_map(|mark| {
-        text.match_indices(mark).find_map(|(at, _)| {
-            let (one, from) = leading(&text[..at])?;
-            let (other, unit) = leading(&text[at + mark.len()..])?;
-            // An exponent is none: 1 e-6, 5 x 10^-3, N mm-2.
-            let is_power = text[..at].ends_with(['e', 'E', '^']) || unit.is_empty();
-            if is_power && !from.is_empty() {
-                return None;
-            }
-            let from_unit = if from.is_empty() { &unit } else { &from };
-            if !mark.starts_with(['+', '±']) {
-                return Some([(one, from_unit.clone()), (other, unit)]);
-            }
-            let [middle, half] = [one, other].map(|number| number.parse::<f64>().ok());
-            let (middle, half) = middle.zip(half).filter(|_| *from_unit == unit)?;
-            Some([middle - half, middle + half].map(|end| (short(end), unit.clone())))
-        })
-    })?;
-    let [one, other] = ends.map(|(number, unit)| match &*unit {
-        "" => number,
-        _ => format!("\"{number} {unit}\""),
-    });
-    Some(format!("is a range, which is written [{one}, {other}]"))
-}
-
-/// The unit behind a prefix that stands alone: kN of "80k".
-fn prefixed(text: &str, units: &Units) -> Option<String> {
-    let (number, prefix) = leading(text)?;
-    let prefix = if prefix == "K" { "k" } else { &prefix };
-    let known = |unit: &&str| {
-        "kMGmun".contains(prefix) && prefix.len() == 1 && unit.len() > 1 && unit.starts_with(prefix)
-    };
-    let unit = units.decimal.iter().map(|(unit, _)| *unit).find(known)?;
-    Some(format!("has no unit behind {prefix}: write \"{number} {unit}\""))
 }
 
 /// The decimal number at the start of a text, and the unit behind it.
@@ -254,24 +218,5 @@ mod tests {
             [notation_hint("5 1/mm2"), notation_hint("1.500"), notation_hint("1, 5")],
             [None; 3]
         );
-    }
-
-    #[test]
-    fn ranges_and_prefixes_are_told_from_exponents() {
-        assert_eq!(
-            range_hint("1-2 um").unwrap(),
-            "is a range, which is written [\"1 um\", \"2 um\"]"
-        );
-        for text in ["1 e-6 m", "200 N mm-2", "5 x 10^-3 m", "-5 m", "1e-3", "2 mm"] {
-            assert_eq!(range_hint(text), None, "{text}");
-        }
-        for (text, si, wanted) in
-            [("80k", "N", "80 kN"), ("80K", "N", "80 kN"), ("2 G", "Pa", "2 GPa")]
-        {
-            assert!(
-                quantity(text, si).unwrap_err().ends_with(&format!("write {wanted:?}")),
-                "{text}"
-            );
-        }
     }
 }

@@ -3,11 +3,11 @@
 use asperity::{Code, ContactError, Finding, Interface, Severity};
 
 use crate::error::{Place, SceneError};
-use crate::keys::SECOND;
+use crate::input::SceneInput;
 use crate::materials::HARDNESS_OVER_YIELD;
 use crate::roughness::Roughness;
 use crate::scene_file::SceneFile;
-use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
+use crate::spec::{Bodies, Description, SceneSpec};
 use crate::unknown::Unknown;
 
 /// The number of unknowns up to which every combination of ends is taken.
@@ -133,21 +133,24 @@ impl Bodies {
     pub(crate) fn settled(&self, take: &mut dyn FnMut(Unknown) -> f64) -> Self {
         let [from, to] = HARDNESS_OVER_YIELD;
         let mut settled = self.clone();
-        let (mut most, mut all) = (f64::INFINITY, vec![]);
-        match &mut settled {
+        // Hardness, yield strength, and whether hardening is described, of each by its name.
+        let all: Vec<_> = match &mut settled {
             Self::Interface(of) => {
                 let hardens = of.tangent_modulus.is_some();
-                all.push(("hardness", &mut of.hardness, &mut of.yield_strength, hardens));
+                vec![("hardness", &mut of.hardness, &mut of.yield_strength, hardens)]
             }
             Self::Each { bodies, .. } => {
-                for (of, name) in bodies.iter_mut().zip(["body1_hardness", "body2_hardness"]) {
-                    let hardness = of.hardness.or(of.yield_strength.map(|of| to * of));
-                    most = most.min(hardness.unwrap_or(most));
-                    let hardens = of.tangent_modulus.is_some();
-                    all.push((name, &mut of.hardness, &mut of.yield_strength, hardens));
-                }
+                let named = bodies.iter_mut().zip(["body1_hardness", "body2_hardness"]);
+                named
+                    .map(|(of, name)| {
+                        let hardens = of.tangent_modulus.is_some();
+                        (name, &mut of.hardness, &mut of.yield_strength, hardens)
+                    })
+                    .collect()
             }
-        }
+        };
+        let upper = all.iter().filter_map(|(_, hardness, of, _)| hardness.or(of.map(|of| to * of)));
+        let most = upper.fold(f64::INFINITY, f64::min);
         for (name, hardness, of, hardens) in all {
             let Some(strength) = of.filter(|of| hardness.is_none() && *of > 0.0) else { continue };
             let source =
@@ -172,20 +175,18 @@ impl SceneSpec {
     /// says.
     fn settled(&self, take: &mut dyn FnMut(Unknown) -> f64) -> Result<Self, ContactError> {
         let mut settled = Self { bodies: self.bodies.settled(take), ..self.clone() };
-        for second in [false, true] {
-            let drawing = self.one(second).and_then(SurfaceSpec::drawing);
+        for (section, one) in self.surfaces() {
+            let drawing = one.drawing();
             let Some(drawing) = drawing.filter(|drawing| drawing.is_open()) else { continue };
             let mut number = |mut one: Unknown| {
-                if second {
-                    one.name.insert_str(0, SECOND);
-                }
+                one.name = SceneInput { section, key: "" }.name() + &one.name;
                 if one.is_open() { take(one) } else { one.ends[0] }
             };
             let [height, ..] = drawing.unknowns()?;
             let rq = number(height);
             let [_, slope, bandwidth] = drawing.with_rq(rq)?.unknowns()?;
             let numbers = [rq, number(slope), number(bandwidth)];
-            if let Some(one) = settled.surface_mut(second) {
+            if let Some(one) = settled.surface_mut(section) {
                 one.by = Description::Numbers(Roughness::of_profile(numbers));
             }
         }
@@ -261,10 +262,7 @@ impl SceneFile {
     /// # Errors
     /// [`SceneError::Refused`] for another word, and for numbers that no scene has.
     pub fn taken_at(&self, end: &str) -> Result<(Self, Option<Finding>), SceneError> {
-        let refused = |reason: String| {
-            let at = Place::field("at").into();
-            SceneError::Refused { at, reason }
-        };
+        let refused = |reason: String| SceneError::refused(Place::field("at"), reason);
         let (share, place) = match end {
             "lower" => (0.0, "at the lower end"),
             "middle" => (0.5, "in the middle"),

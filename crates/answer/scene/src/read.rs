@@ -9,19 +9,18 @@ use toml::Value;
 use crate::curvature::Curvature;
 use crate::document::{Document, Files, HandedFiles};
 use crate::error::{Place, SceneError};
-use crate::gap::Gas;
 use crate::heights::{compare_std, heights};
 use crate::input::SceneInput;
 use crate::interface::bodies;
-use crate::keys::{COUNTERFACE, CURVATURE, Field, SEAL, joined, keys_of};
+use crate::keys::{COUNTERFACE, joined, keys_of};
 use crate::measured::Scan;
 use crate::options::ModelOptions;
 use crate::resolve::resolve;
-use crate::scans::{Asked, Scans, density};
+use crate::scans::{self, Asked, density, notes};
 use crate::scene_file::SceneFile;
-use crate::seal::Seal;
+use crate::seal::{Gas, Seal};
 use crate::spec::{HeightsSpec, SceneSpec};
-use crate::surface::{Surfaces, refused, smooth_counterface, surfaces};
+use crate::surface::{refused, smooth_counterface, surfaces};
 use crate::text_file::read_text;
 use crate::unknown::Unknown;
 
@@ -52,14 +51,15 @@ fn load_with(path: &Path, asked: Asked) -> Result<SceneFile, SceneError> {
     );
     let text = read_text(path, &advice, named)?;
     let folder = path.parent().unwrap_or(Path::new(""));
+    let is_toml = path.extension().is_some_and(|end| end == "toml");
     let document = Document::new(Some(path), Files::In(folder), &text);
-    let read = document.and_then(|document| scene_file(&document, asked));
-    read.map_err(|error| match error {
-        SceneError::Refused { at, reason } if path.extension().is_none_or(|end| end != "toml") => {
-            SceneError::Refused { at, reason: format!("{reason}; {advice}") }
+    let document = document.map_err(|error| match error {
+        SceneError::Refused { at, link: ": ", reason } if !is_toml => {
+            SceneError::refused(at, format!("{reason}; {advice}"))
         }
         error => error,
-    })
+    });
+    scene_file(&document?, asked)
 }
 
 /// Reads a scene from its text; relative paths in it are relative to `directory`.
@@ -92,53 +92,32 @@ pub fn parse_handed(text: &str, files: &HandedFiles) -> Result<SceneFile, SceneE
     scene_file(&Document::new(None, Files::Handed(files), text)?, Asked::Asperities)
 }
 
-/// The numbers of a section that a scene may have.
-fn section<T: Default>(
-    document: &Document<'_>,
-    name: &str,
-    fields: &[Field<T>],
-) -> Result<Option<T>, SceneError> {
-    let mut found = T::default();
-    document.read_numbers(name, fields, &mut found)?;
-    Ok(document.has(name).then_some(found))
-}
-
-/// Refuses curved bodies that are none, and those with a nominal area.
-fn check_curvature(document: &Document<'_>, bodies: Curvature) -> Result<(), SceneError> {
-    bodies.shape().map_err(document.refused("curvature"))?;
-    let needed = "one of the two (curved bodies meet at a patch, which follows from the load)";
-    match document.has("nominal_area") {
-        true => Err(document.conflict("nominal_area", "curvature", needed)),
-        false => Ok(()),
-    }
-}
-
 /// What a document says of its scene.
-fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scans>), SceneError> {
+fn spec(document: &Document<'_>, asked: Asked) -> Result<SceneSpec, SceneError> {
     document.check_sections()?;
     let options = ModelOptions::default().with_keys(document, "options")?;
-    let curvature = section(document, "curvature", CURVATURE)?;
-    curvature.map_or(Ok(()), |bodies| check_curvature(document, bodies))?;
-    let gas = document.get("seal.gas")?;
-    let seal = section(document, "seal", SEAL)?.map(|seal| Seal { gas, ..seal });
+    let curvature: Option<Curvature> = document.section("curvature")?;
+    let seal: Option<Seal> = document.section("seal")?;
     let of_seal = seal.and_then(|seal| seal.area());
     let nominal_area = match curvature {
         // Without an area, the seal is refused when it is resolved.
         None if seal.is_some() && !document.has("nominal_area") => of_seal.unwrap_or(1.0),
         None => document.needed_number("nominal_area")?,
+        Some(_) if document.has("nominal_area") => {
+            let needed =
+                "one of the two (curved bodies meet at a patch, which follows from the load)";
+            return Err(document.conflict("nominal_area", "curvature", needed));
+        }
         Some(_) => 1.0,
     };
     let names: Vec<String> = document.get("accept")?.unwrap_or_default();
     let accept = names.iter().map(|name| Code::named(name)).collect::<Result<_, _>>();
-    let accept = accept.map_err(|reason| {
-        let at = document.place("accept");
-        SceneError::Refused { at, reason }
-    })?;
+    let accept =
+        accept.map_err(|reason: String| SceneError::refused(document.place("accept"), reason))?;
     let bodies = bodies(document)?;
     let separation_from: Datum = document.get("surface.separation_from")?.unwrap_or_default();
     let heights = heights(document)?;
-    let Surfaces { first, second, is_smooth, scans } = surfaces(document, &heights, asked)?;
-    let pressed = scans.as_ref().and_then(|scans| scans.sum.clone());
+    let surfaces = surfaces(document, bodies, nominal_area, &heights, asked)?;
     let number = |key| document.needed_number(key);
     let gas = match document.has("gap") {
         true => Some(Gas {
@@ -147,43 +126,33 @@ fn spec(document: &Document<'_>, asked: Asked) -> Result<(SceneSpec, Option<Scan
         }),
         false => None,
     };
-    let mut spec = SceneSpec {
-        counterface: second,
-        is_smooth,
-        pressed,
-        heights,
-        separation_from,
-        curvature,
-        gas,
-        seal,
-        options,
-        accept,
-        ..SceneSpec::new(bodies, first, nominal_area)
-    };
+    let mut spec =
+        SceneSpec { heights, separation_from, curvature, gas, seal, options, accept, ..surfaces };
     let has_asperities = |scan: &&Arc<Scan>| {
         scan.measured.as_ref().is_some_and(|own| own.statistics.surface().is_ok())
     };
     let scan = spec.single_scan().filter(has_asperities).filter(|_| spec.heights.is_measured);
-    if let Some((scan, scans)) = scan.zip(scans.as_ref()) {
-        let points = density(&scan.topography).map_err(|why| scans.refused(document, &why))?;
+    if let Some(scan) = scan {
+        let points = density(&scan.topography);
+        let points = points.map_err(|why| scans::refused(document, &spec, &why))?;
         let table = TabulatedHeights::new("measured", &points);
         let table = HeightsSpec::of_table(table.map_err(document.refused("surface"))?);
         spec.heights = HeightsSpec { is_measured: true, ..table };
     }
-    Ok((spec, scans))
+    Ok(spec)
 }
 
 pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneFile, SceneError> {
-    let (spec, scans) = spec(document, asked)?;
+    let spec = spec(document, asked)?;
     let (scene, measured) = resolve(&spec).map_err(|fault| refused(document, &spec, fault))?;
     let mut found = vec![];
-    if let Some((scans, together)) = scans.as_ref().zip(measured.as_ref()) {
+    if let Some(together) = &measured {
         let no_asperities = together.statistics.surface().err();
         // Only models without asperities are valid for it.
         if let Some(reason) = no_asperities.as_ref().filter(|_| asked == Asked::Asperities) {
-            return Err(scans.refused(document, reason));
+            return Err(scans::refused(document, &spec, reason));
         }
-        found.extend(scans.notes(document, &together.statistics));
+        found.extend(notes(document, &spec, &together.statistics));
     }
     found.extend(smooth_counterface(&spec));
     if let (Some(table), false) = (&spec.heights.table, spec.heights.is_measured) {
@@ -202,7 +171,7 @@ pub(crate) fn scene_file(document: &Document<'_>, asked: Asked) -> Result<SceneF
     let warnings = found.into_iter().collect::<Findings>().silenced(&spec.accept);
     let mut origin = document.origin.clone();
     let scans = spec.surfaces().filter_map(|(_, one)| one.scan()?.source.as_ref());
-    origin.files = scans.map(|(path, _)| path.clone()).collect();
+    origin.files = scans.map(|scan| document.whole_path(&scan.path)).collect();
     let mut file = SceneFile {
         warnings,
         origin: Some(Arc::new(origin)),
@@ -224,16 +193,15 @@ fn ranges(
 ) -> Result<Vec<(SceneInput, Unknown)>, SceneError> {
     let inputs = if document.ranges.is_empty() { vec![] } else { file.all_inputs() };
     let range = |(path, ends): &(String, [f64; 2])| {
-        let section = |input: &SceneInput| input.section(&file.spec.bodies);
-        let is_here = |input: &SceneInput| joined(section(input), input.key) == *path;
-        let Some(input) = inputs.iter().map(|(_, input)| *input).find(is_here) else {
+        let of_path = inputs.iter().find(|(_, input)| input.path() == *path);
+        let Some((name, input)) = of_path else {
             return Err(document.wrong(path, "a single number"));
         };
         for end in ends {
-            let made = file.with_inputs([(input, *end)]);
-            made.map_err(document.refused(section(&input)))?;
+            let made = file.with_inputs([(*input, *end)]);
+            made.map_err(document.refused(input.section))?;
         }
-        Ok((input, Unknown::written(input.name(), *ends)))
+        Ok((*input, Unknown::written(name.clone(), *ends)))
     };
     let mut all = document.ranges.clone();
     // Of a surface that is the same, each number has the range of the other.

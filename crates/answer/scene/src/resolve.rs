@@ -8,9 +8,9 @@ use asperity::{ContactError, Interface, Pair, ProfileMoments, Scene, Surface, po
 use asperity_topography::Statistics;
 
 use crate::finish::Drawing;
-use crate::gap::Gas;
 use crate::keys::{COUNTERFACE, SEAL};
 use crate::measured::Measured;
+use crate::seal::Gas;
 use crate::spec::{Bodies, SceneSpec, SurfaceSpec};
 
 /// A number of a section that is out of range.

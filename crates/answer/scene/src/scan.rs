@@ -7,8 +7,7 @@ use asperity_bem::{Bem, BemOptions, Continuation, HeightMap};
 use asperity_topography::Topography;
 
 use crate::error::{Place, SceneError};
-use crate::height_map::height_map;
-use crate::measured::ScanSpectrum;
+use crate::measured::{ScanSpectrum, height_map};
 use crate::scene_file::SceneFile;
 
 impl SceneFile {
@@ -17,7 +16,7 @@ impl SceneFile {
     /// repeated as it is.
     ///
     /// # Errors
-    /// [`SceneError::Wrong`] without a scan or with two that are not aligned;
+    /// [`SceneError::Refused`] without a scan or with two that are not aligned;
     /// [`SceneError::Refused`] for a profile and for missing points.
     pub fn bem(&self) -> Result<Bem, SceneError> {
         self.pressed(self.spec.options.bem())
@@ -35,13 +34,13 @@ impl SceneFile {
     /// [`bem`](Self::bem) with these options instead of the scene's.
     pub(crate) fn pressed(&self, options: BemOptions) -> Result<Bem, SceneError> {
         self.need_flat()?;
-        let at = Box::new(Place::field("surface.file"));
+        let at = Place::field("surface.file");
         let Some(scan) = self.scan() else {
             let needed = "boundary elements (bem) need the scan of one surface, file = \"scan.x3p\" in [surface] with unit and pixel_size if the file does not state them, or scans of both with aligned = true";
             return Err(SceneError::missing(at, needed));
         };
         let map = whole_map(scan, "boundary elements need");
-        let map = map.map_err(|reason| SceneError::Refused { at, reason })?;
+        let map = map.map_err(|reason| SceneError::refused(at, reason))?;
         let boundary = options.boundary.or(declared(scan));
         Ok(Bem::new(map, BemOptions { boundary, ..options }))
     }
@@ -88,7 +87,7 @@ mod tests {
     use asperity::Code;
 
     use super::*;
-    use crate::height_map::open_seam;
+    use crate::measured::open_seam;
 
     const FREE: BemOptions = BemOptions { boundary: Some(Continuation::Free), elastic: true };
 

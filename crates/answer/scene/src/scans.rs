@@ -1,6 +1,5 @@
 //! The scans that a scene names.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use asperity::{Code, Finding};
@@ -11,10 +10,9 @@ use toml::{Table, Value};
 
 use crate::document::Document;
 use crate::error::SceneError;
-use crate::height_map::open_seam;
-use crate::keys::{COUNTERFACE, Key, Subject};
-use crate::measured::{Measured, Scan};
-use crate::measured_keys::MeasuredKeys;
+use crate::keys::{COUNTERFACE, Key, Subject, joined};
+use crate::measured::{Measured, MeasuredKeys, Scan, Source, open_seam};
+use crate::spec::SceneSpec;
 
 /// What a scene file is read for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,53 +34,60 @@ const OF_SUM: [Code; 6] = [
     Code::RoughnessParameter,
 ];
 
-/// What was written of a scan.
-struct Source {
-    /// The section of its keys.
+/// A scan of a section, before it is read.
+struct Named<'d> {
+    document: &'d Document<'d>,
     section: &'static str,
-    /// The key of its path.
-    at: String,
-    path: PathBuf,
-    keys: MeasuredKeys,
+    source: Source,
 }
 
-impl Source {
+impl<'d> Named<'d> {
+    /// What a section says of its scan, if it names one.
+    fn new(
+        document: &'d Document<'d>,
+        section: &'static str,
+        asked: Asked,
+    ) -> Result<Option<Self>, SceneError> {
+        let mut keys = MeasuredKeys::read(document, section)?;
+        keys.periodic |= asked == Asked::Scan { periodic: true };
+        if keys.smooth.zip(keys.filter).is_some_and(|(smooth, filter)| smooth >= filter) {
+            let needed = "a value of smooth below filter, which keeps some wavelengths,";
+            let [smooth, filter] = ["smooth", "filter"].map(|key| joined(section, key));
+            return Err(document.conflict(&smooth, &filter, needed));
+        }
+        let Some(path) = keys.file.clone() else { return Ok(None) };
+        let given = document.value(section).and_then(Value::as_table);
+        let is_own =
+            |name: &str| Key::find("surface", name).is_some_and(|key| key.subject == Subject::Scan);
+        let own = given.into_iter().flatten().filter(|(name, _)| is_own(name));
+        let mut written: Table = own.map(|(name, value)| (name.clone(), value.clone())).collect();
+        written.insert("file".into(), (&*document.whole_path(&path).to_string_lossy()).into());
+        Ok(Some(Self { document, section, source: Source { path, keys, written } }))
+    }
+
     /// The scan as its keys prepare it.
-    fn read(&self, document: &Document<'_>) -> Result<Topography, SceneError> {
-        let (path, options) = (document.path(&self.path), &self.keys.options);
-        let read = match document.handed(&self.at, &self.path)? {
-            Some(bytes) => read_bytes(&path.to_string_lossy(), bytes, options),
-            None => read(&path, options),
+    fn read(&self) -> Result<Topography, SceneError> {
+        let Source { path: named, keys, .. } = &self.source;
+        let path = self.document.path(named);
+        let read = match self.document.handed(&joined(self.section, "file"), named)? {
+            Some(bytes) => read_bytes(&path.to_string_lossy(), bytes, &keys.options),
+            None => read(&path, &keys.options),
         };
-        let prepared =
-            read.and_then(|read| self.keys.clean(read)).and_then(|clean| self.keys.prepare(clean));
-        prepared.map_err(|error| self.refused(document, error))
+        let prepared = read.and_then(|read| keys.clean(read)).and_then(|clean| keys.prepare(clean));
+        prepared.map_err(|error| self.refused(error))
     }
 
     /// The statistics of a scan by the keys of this one.
-    fn measure(&self, document: &Document<'_>, scan: &Topography) -> Result<Measured, SceneError> {
+    fn measure(&self, scan: &Topography) -> Result<Measured, SceneError> {
         let [dx, dy] = scan.pixel_size();
-        let statistics = scan.statistics(self.keys.estimator);
-        let statistics = statistics.map_err(|error| self.refused(document, error))?;
+        let statistics = scan.statistics(self.source.keys.estimator);
+        let statistics = statistics.map_err(|error| self.refused(error))?;
         Ok(Measured { statistics, pixel_size: dx.max(dy) })
     }
 
-    /// Its file for a scene elsewhere, and its keys.
-    fn written(&self, document: &Document<'_>) -> (PathBuf, Table) {
-        let given = document.value(self.section).and_then(Value::as_table);
-        let is_own = |name: &str| {
-            let key = Key::find("surface", name);
-            let is_scan = key.is_some_and(|key| key.subject == Subject::Scan);
-            is_scan && !["file", "aligned"].contains(&name)
-        };
-        let own = given.into_iter().flatten().filter(|(name, _)| is_own(name));
-        let keys = own.map(|(name, value)| (name.clone(), value.clone())).collect();
-        (document.whole_path(&self.path), keys)
-    }
-
     /// Errors of an option are at that option, all others at the file.
-    fn refused(&self, document: &Document<'_>, error: TopographyError) -> SceneError {
-        let option = |field: &str| document.place(&format!("{}.{field}", self.section));
+    fn refused(&self, error: TopographyError) -> SceneError {
+        let option = |field: &str| self.document.place(&joined(self.section, field));
         // Only errors of reading have the name of the file.
         let error = match error {
             TopographyError::File { source, .. } => *source,
@@ -94,147 +99,116 @@ impl Source {
             }
             TopographyError::TooManyMissing { .. } => option("max_missing"),
             TopographyError::Undecided { option: name, .. } => option(name),
-            _ => document.place(&self.at),
+            _ => option("file"),
         };
-        SceneError::Refused { at, reason: format!("{}: {error}", self.path.display()) }
+        SceneError::refused(at, format!("{}: {error}", self.source.path.display()))
     }
 }
 
-/// What was written of the scans of a scene: one or two.
-fn sources(document: &Document<'_>, asked: Asked) -> Result<Vec<Source>, SceneError> {
-    let mut scans = vec![];
+/// Scans, and the sum of two that are aligned.
+type ScansAndSum = (Vec<Arc<Scan>>, Option<Arc<Scan>>);
+
+/// The scans that a scene names, one or two, and the sum of two that are aligned; beside one of
+/// them the other surface may be given by numbers, and the heights of the asperities may be theirs.
+pub(crate) fn scans(
+    document: &Document<'_>,
+    are_measured: bool,
+    asked: Asked,
+    beside_numbers: bool,
+) -> Result<ScansAndSum, SceneError> {
     let sections = ["surface", COUNTERFACE].into_iter().filter(|section| document.has(section));
-    for section in sections {
-        let mut keys = MeasuredKeys::read(document, section)?;
-        keys.periodic |= asked == Asked::Scan { periodic: true };
-        if keys.smooth.zip(keys.filter).is_some_and(|(smooth, filter)| smooth >= filter) {
-            let needed = "a value of smooth below filter, which keeps some wavelengths,";
-            let [smooth, filter] = ["smooth", "filter"].map(|key| format!("{section}.{key}"));
-            return Err(document.conflict(&smooth, &filter, needed));
+    let named = sections.map(|section| Named::new(document, section, asked));
+    let named = named.filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
+    let is_pair = named.len() > 1 || beside_numbers;
+    let alignment = MeasuredKeys::read(document, "surface")?.alignment();
+    if alignment.is_some() && named.len() < 2 {
+        let needed = "two scans, file and counterface.file,";
+        let found = format_args!("for one scan");
+        return Err(SceneError::value(document.place("surface.aligned"), found, needed));
+    }
+    if is_pair && alignment.is_none() {
+        let by_summits = |one: &&Named<'_>| one.source.keys.estimator == Estimator::Summits;
+        if let Some(one) = named.iter().find(by_summits) {
+            let needed = "estimator = \"moments\" for two surfaces: moments add, summits do not,";
+            return Err(document.conflict(&joined(one.section, "estimator"), COUNTERFACE, needed));
         }
-        if let Some(path) = keys.file.clone() {
-            scans.push(Source { section, at: format!("{section}.file"), path, keys });
+        if are_measured {
+            let needed = "one file or aligned scans: the heights of two surfaces do not add,";
+            return Err(document.conflict("surface.heights", COUNTERFACE, needed));
         }
     }
-    Ok(scans)
+    let read = named.iter().map(Named::read).collect::<Result<Vec<_>, _>>()?;
+    let pressed = match (alignment, &read[..], named.first()) {
+        (Some(alignment), [one, two, ..], Some(first)) => {
+            let both = one.facing(two, alignment).map_err(|reason| {
+                SceneError::refused(document.place(COUNTERFACE), reason.to_string())
+            })?;
+            let measured = first.measure(&both)?;
+            Some(Arc::new(Scan::new(both, Some(measured))))
+        }
+        _ => None,
+    };
+    let scan = |(one, topography): (Named<'_>, Topography)| -> Result<_, SceneError> {
+        let own = || one.measure(&topography);
+        let measured = if alignment.is_some() { None } else { Some(own()?) };
+        Ok(Arc::new(Scan { source: Some(one.source), ..Scan::new(topography, measured) }))
+    };
+    Ok((named.into_iter().zip(read).map(scan).collect::<Result<_, _>>()?, pressed))
 }
 
-/// The scans of a scene, with what was written of each, and the sum of two that are aligned.
-pub(crate) struct Scans {
-    each: Vec<(Source, Arc<Scan>)>,
-    pub(crate) sum: Option<Arc<Scan>>,
-    /// Whether there is another rough surface beside the first scan.
-    is_pair: bool,
+/// The scans of a scene, each with its section.
+fn scans_of(spec: &SceneSpec) -> Vec<(&'static str, &Scan)> {
+    spec.surfaces().filter_map(|(section, one)| Some((section, &**one.scan()?))).collect()
 }
 
-impl Scans {
-    /// Reads the scans that a scene names; beside one of them the other surface may be given by
-    /// numbers, and the heights of the asperities may be theirs.
-    pub(crate) fn read(
-        document: &Document<'_>,
-        are_measured: bool,
-        asked: Asked,
-        beside_numbers: bool,
-    ) -> Result<Self, SceneError> {
-        let sources = sources(document, asked)?;
-        let [first, rest @ ..] = &sources[..] else {
-            return Err(document.missing("surface.file", "a measured file"));
-        };
-        let second = rest.first();
-        let alignment = MeasuredKeys::read(document, "surface")?.alignment();
-        let is_pair = second.is_some() || beside_numbers;
-        if alignment.is_some() && second.is_none() {
-            let needed = "two scans, file and counterface.file,";
-            let found = format_args!("for one scan");
-            return Err(SceneError::value(document.place("surface.aligned"), found, needed));
-        }
-        if is_pair && alignment.is_none() {
-            let by_summits = |one: &&Source| one.keys.estimator == Estimator::Summits;
-            if let Some(one) = sources.iter().find(by_summits) {
-                let needed =
-                    "estimator = \"moments\" for two surfaces: moments add, summits do not,";
-                return Err(document.conflict(
-                    &format!("{}.estimator", one.section),
-                    COUNTERFACE,
-                    needed,
-                ));
-            }
-            if are_measured {
-                let needed = "one file or aligned scans: the heights of two surfaces do not add,";
-                return Err(document.conflict("surface.heights", COUNTERFACE, needed));
-            }
-        }
-        let read = |one: &Source| -> Result<Scan, SceneError> {
-            let topography = one.read(document)?;
-            let measured = match alignment {
-                Some(_) => None,
-                None => Some(one.measure(document, &topography)?),
-            };
-            let written = Some(one.written(document));
-            Ok(Scan { source: written, ..Scan::new(topography, measured) })
-        };
-        let each = sources.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-        let sum = match (alignment, &each[..]) {
-            (Some(alignment), [one, two, ..]) => {
-                let both = one.topography.facing(&two.topography, alignment);
-                let both = both.map_err(|reason| SceneError::Refused {
-                    at: document.place(COUNTERFACE),
-                    reason: reason.to_string(),
-                })?;
-                let measured = first.measure(document, &both)?;
-                Some(Arc::new(Scan::new(both, Some(measured))))
-            }
-            _ => None,
-        };
-        let each = each.into_iter().map(Arc::new);
-        Ok(Self { each: sources.into_iter().zip(each).collect(), sum, is_pair })
+/// The key at which findings of all scans are.
+fn place_of_all(spec: &SceneSpec) -> String {
+    match scans_of(spec)[..] {
+        [(only, _)] => joined(only, "file"),
+        _ => COUNTERFACE.into(),
     }
+}
 
-    /// The scans of the sections.
-    pub(crate) fn list(&self) -> impl Iterator<Item = &Arc<Scan>> {
-        self.each.iter().map(|(_, scan)| scan)
-    }
+/// An error of the sum of both surfaces, or of the only one.
+pub(crate) fn refused(
+    document: &Document<'_>,
+    spec: &SceneSpec,
+    reason: &TopographyError,
+) -> SceneError {
+    let single = spec.surface.scan().filter(|_| spec.counterface.is_none());
+    let reason = match single.and_then(|scan| scan.source.as_ref()) {
+        Some(only) => format!("{}: {reason}", only.path.display()),
+        None => reason.to_string(),
+    };
+    SceneError::refused(document.place(&place_of_all(spec)), reason)
+}
 
-    /// The key at which findings of all scans are.
-    fn at(&self) -> &str {
-        match &self.each[..] {
-            [(only, _)] => &only.at,
-            _ => COUNTERFACE,
-        }
+/// The findings of the scans of a scene with these statistics.
+pub(crate) fn notes(
+    document: &Document<'_>,
+    spec: &SceneSpec,
+    together: &Statistics,
+) -> Vec<Finding> {
+    let from = |at: &str| {
+        let at = document.place(at).to_string();
+        move |found: Finding| found.from_origin(at.clone())
+    };
+    let (mut notes, scans) = (vec![], scans_of(spec));
+    for (section, scan) in scans.iter().filter(|_| spec.counterface.is_some()) {
+        let own = scan.measured.iter().flat_map(|own| &own.statistics.warnings);
+        let own = own.filter(|found| !OF_SUM.contains(&found.code)).cloned();
+        notes.extend(own.map(from(&joined(section, "file"))));
     }
-
-    /// An error of the sum of both surfaces, or of the only one.
-    pub(crate) fn refused(&self, document: &Document<'_>, reason: &TopographyError) -> SceneError {
-        let reason = match &self.each[..] {
-            [(only, _)] if !self.is_pair => format!("{}: {reason}", only.path.display()),
-            _ => reason.to_string(),
-        };
-        SceneError::Refused { at: document.place(self.at()), reason }
+    notes.extend(together.warnings.iter().cloned().map(from(&place_of_all(spec))));
+    for (section, scan) in &scans {
+        let tilted = scan.source.iter().filter_map(|Source { keys, .. }| {
+            keys.level.and_then(|level| level.tilts(keys.periodic))
+        });
+        notes.extend(tilted.map(from(&joined(section, "level"))));
     }
-
-    /// The findings of the scans of a scene with these statistics.
-    pub(crate) fn notes(&self, document: &Document<'_>, together: &Statistics) -> Vec<Finding> {
-        let from = |at: &str| {
-            let at = document.place(at).to_string();
-            move |found: Finding| found.from_origin(at.clone())
-        };
-        let mut notes = vec![];
-        for (source, scan) in self.each.iter().filter(|_| self.is_pair) {
-            let own = scan.measured.iter().flat_map(|own| &own.statistics.warnings);
-            let own = own.filter(|found| !OF_SUM.contains(&found.code)).cloned();
-            notes.extend(own.map(from(&source.at)));
-        }
-        notes.extend(together.warnings.iter().cloned().map(from(self.at())));
-        for (Source { section, keys, .. }, _) in &self.each {
-            let tilted = keys.level.and_then(|level| level.tilts(keys.periodic));
-            notes.extend(tilted.map(from(&format!("{section}.level"))));
-        }
-        let single = self.each.first().filter(|_| !self.is_pair).map(|(_, scan)| scan);
-        let seam = self.sum.as_ref().or(single).and_then(|scan| open_seam(&scan.topography));
-        let section = self.each.first().map_or("surface", |(source, _)| source.section);
-        notes.extend(seam.map(from(&format!("{section}.periodic"))));
-        notes
-    }
+    let seam = spec.single_scan().and_then(|scan| open_seam(&scan.topography));
+    notes.extend(seam.map(from("surface.periodic")));
+    notes
 }
 
 /// The density of the summits' heights above the mean plane.

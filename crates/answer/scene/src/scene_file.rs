@@ -8,14 +8,12 @@ use asperity::{
 };
 use asperity_topography::Topography;
 
-use crate::error::SceneError;
-use crate::gap::Gas;
+use crate::error::{Provenance, SceneError};
 use crate::input::SceneInput;
 use crate::measured::{Measured, Scan};
-use crate::origin::Provenance;
 use crate::resolve::resolve;
 use crate::roughness::Roughness;
-use crate::seal::Seal;
+use crate::seal::{Gas, Seal};
 use crate::spec::{Bodies, Description, HeightsSpec, SceneSpec};
 use crate::unknown::Unknown;
 
@@ -173,9 +171,9 @@ impl SceneFile {
             return Ok(());
         }
         let own = Provenance::default();
-        let at = self.origin.as_deref().unwrap_or(&own).place("curvature").into();
+        let at = self.origin.as_deref().unwrap_or(&own).place("curvature");
         let reason = "films, boundary elements, joints, exports and fits are of flat bodies: write nominal_area instead of [curvature]";
-        Err(SceneError::Refused { at, reason: reason.into() })
+        Err(SceneError::refused(at, reason))
     }
 
     /// The scene with this scan to be pressed by boundary elements.

@@ -1,10 +1,19 @@
-//! A seal: the section `[seal]`.
+//! What is between the surfaces: the sections `[gap]` and `[seal]`.
 
 use std::f64::consts::PI;
 
 use asperity::bem::{self, Fluid, Rarefaction};
 use asperity::{ATOMIC_DISTANCE, ContactError, short};
 use serde::{Deserialize, Serialize};
+
+/// A gas or liquid in the gap between the surfaces.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Gas {
+    /// Its thermal conductivity \[W/(m K)\], above 0.
+    pub gas_conductivity: f64,
+    /// Its temperature-jump distance \[m\], 0 for a liquid.
+    pub gas_parameter: f64,
+}
 
 /// A gas of the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -25,7 +34,8 @@ pub enum SealGas {
 }
 
 /// The keys of `[seal]`, in SI units.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Seal {
     /// Across the flow; beside a perimeter along it.
     pub width: Option<f64>,
@@ -230,7 +240,7 @@ mod tests {
             assert!((seal.width_over_length / 50.0 - 1.0).abs() < 1e-12);
             let [high, low] = seal.pressures;
             assert!((high / 1e6 - 1.0).abs() < 1e-12 && (low / 1e5 - 1.0).abs() < 1e-12);
-            let again = parse(&file.to_toml(&[]).unwrap(), Path::new(".")).unwrap();
+            let again = parse(&file.to_toml().unwrap(), Path::new(".")).unwrap();
             assert_eq!(again.spec.seal, file.spec.seal);
         }
         for (text, key) in [

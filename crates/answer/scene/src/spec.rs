@@ -6,13 +6,12 @@ use asperity::{Body, Code, ContactError, Datum, HeightDistribution, Interface, T
 
 use crate::curvature::Curvature;
 use crate::finish::Drawing;
-use crate::gap::Gas;
 use crate::keys::COUNTERFACE;
 use crate::materials::Material;
 use crate::measured::{Measured, Scan};
 use crate::options::ModelOptions;
 use crate::roughness::{Roughness, Way};
-use crate::seal::Seal;
+use crate::seal::{Gas, Seal};
 
 /// What was written about a scene. `SceneFile::of_spec` makes a scene of it.
 #[derive(Debug, Clone)]
@@ -247,14 +246,14 @@ impl SceneSpec {
             .chain(self.counterface.as_ref().map(|one| (COUNTERFACE, one)))
     }
 
-    /// The first surface, or the second.
-    pub(crate) fn one(&self, second: bool) -> Option<&SurfaceSpec> {
-        if second { self.counterface.as_ref() } else { Some(&self.surface) }
+    /// The surface of a section.
+    pub(crate) fn one(&self, section: &str) -> Option<&SurfaceSpec> {
+        self.surfaces().find(|(of, _)| *of == section).map(|(_, one)| one)
     }
 
-    /// The first surface, or the second, to be changed.
-    pub(crate) fn surface_mut(&mut self, second: bool) -> Option<&mut SurfaceSpec> {
-        if second { self.counterface.as_mut() } else { Some(&mut self.surface) }
+    /// The surface of a section, to be changed.
+    pub(crate) fn surface_mut(&mut self, section: &str) -> Option<&mut SurfaceSpec> {
+        if section == COUNTERFACE { self.counterface.as_mut() } else { Some(&mut self.surface) }
     }
 
     /// The scan that boundary elements press.

@@ -1,7 +1,5 @@
 //! `[surface]`: the asperities, in exactly one way, of one rough surface or of two.
 
-use std::sync::Arc;
-
 use asperity::{Code, Finding, nearest_name, unusual};
 use toml::Value;
 
@@ -9,11 +7,10 @@ use crate::document::Document;
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
 use crate::keys::{COUNTERFACE, KEYS, Key, Subject, joined};
-use crate::measured::Scan;
 use crate::resolve::Fault;
 use crate::roughness::{Roughness, Way};
-use crate::scans::{Asked, Scans};
-use crate::spec::{Description, HeightsSpec, SceneSpec, SurfaceSpec};
+use crate::scans::{Asked, scans};
+use crate::spec::{Bodies, Description, HeightsSpec, SceneSpec, SurfaceSpec};
 use crate::text_file::shorten;
 
 /// What a counterface may be instead of a surface of its own.
@@ -66,22 +63,15 @@ fn way(
     Err(document.conflict(&at(other), &at(odd.name), &needed))
 }
 
-/// The rough surfaces of a scene.
-pub(crate) struct Surfaces {
-    pub(crate) first: SurfaceSpec,
-    pub(crate) second: Option<SurfaceSpec>,
-    /// Whether `counterface = "smooth"` is written.
-    pub(crate) is_smooth: bool,
-    pub(crate) scans: Option<Scans>,
-}
-
-/// What was written of the surfaces; the standard deviation of a table of heights is the default of
-/// `asperity_height_std`.
+/// A scene between these bodies with what was written of the surfaces; the standard deviation of a
+/// table of heights is the default of `asperity_height_std`.
 pub(crate) fn surfaces(
     document: &Document<'_>,
+    bodies: Bodies,
+    nominal_area: f64,
     heights: &HeightsSpec,
     asked: Asked,
-) -> Result<Surfaces, SceneError> {
+) -> Result<SceneSpec, SceneError> {
     let table_std = heights.table.as_ref().map(|table| table.standard_deviation());
     let first = described(document, "surface", table_std)?;
     let word = document.value(COUNTERFACE).and_then(Value::as_str);
@@ -102,12 +92,13 @@ pub(crate) fn surfaces(
     if has_scan && first.iter().chain(&second).any(|one| is_drawn(&one)) {
         let at = document.place(if first.is_some() { "surface" } else { COUNTERFACE });
         let reason = "the ranges of a finish do not add to the moments of a scan: describe this surface by a scan or by m0, m2 and m4, or both by ra and finish";
-        return Err(SceneError::Refused { at, reason: reason.into() });
+        return Err(SceneError::refused(at, reason));
     }
     let beside_numbers = first.is_some() || second.is_some();
-    let scans = has_scan.then(|| Scans::read(document, heights.is_measured, asked, beside_numbers));
-    let scans = scans.transpose()?;
-    let each: Vec<Arc<Scan>> = scans.iter().flat_map(Scans::list).cloned().collect();
+    let (each, pressed) = match has_scan {
+        true => scans(document, heights.is_measured, asked, beside_numbers)?,
+        false => (vec![], None),
+    };
     let mut each = each.into_iter();
     let mut of = |section: &'static str, by: Option<(Description, &str)>| {
         let Some(by) = by.map(|(by, _)| by).or_else(|| each.next().map(Description::Scan)) else {
@@ -115,21 +106,22 @@ pub(crate) fn surfaces(
         };
         Ok(Some(SurfaceSpec {
             by,
-            mean_plane_offset: document.number(&joined(section, "mean_plane_offset"))?,
-            peklenik_number: document.number(&joined(section, "peklenik_number"))?,
+            mean_plane_offset: document.get(&joined(section, "mean_plane_offset"))?,
+            peklenik_number: document.get(&joined(section, "peklenik_number"))?,
         }))
     };
     let first = of("surface", first)?.ok_or_else(|| document.missing("surface", one_way()))?;
-    let second = match is_same {
+    let counterface = match is_same {
         true if first.scan().is_some() => {
             let at = document.place(COUNTERFACE);
             let reason = "\"same\" is of a surface by numbers; name a file in each section";
-            return Err(SceneError::Refused { at, reason: reason.into() });
+            return Err(SceneError::refused(at, reason));
         }
         true => Some(first.clone()),
         false => of(COUNTERFACE, second)?,
     };
-    Ok(Surfaces { first, second, is_smooth, scans })
+    let one = SceneSpec::new(bodies, first, nominal_area);
+    Ok(SceneSpec { counterface, is_smooth, pressed, ..one })
 }
 
 /// How a section describes its surface, with the key that decides it; `None` by a scan.
@@ -148,7 +140,7 @@ fn described(
     let mut numbers = [0.0; 3];
     for (key, value) in names.iter().zip(&mut numbers) {
         let by_table = || table_std.filter(|_| *key == STD);
-        *value = document.number(&at(key))?.or_else(by_table).ok_or_else(|| {
+        *value = document.get(&at(key))?.or_else(by_table).ok_or_else(|| {
             document.missing(&at(key), format!("{} go together", names.join(", ")))
         })?;
     }
@@ -161,13 +153,12 @@ pub(crate) fn refused(
     spec: &SceneSpec,
     Fault { section, source }: Fault,
 ) -> SceneError {
-    let mut of_section = spec.surfaces().filter(|(of, _)| *of == section);
-    let numbers = of_section.next().map_or(vec![], |(_, one)| one.numbers());
+    let numbers = spec.one(&section).map_or(vec![], SurfaceSpec::numbers);
     let is_positive = numbers.iter().all(|(_, value)| *value > 0.0);
     let odd = numbers.into_iter().filter(|_| is_positive).find_map(|(key, value)| {
         let path = joined(&section, key);
         let unit = unusual(key, value)?.likely_unit.filter(|_| !document.origin.is_stated(&path));
-        Some(SceneError::Refused { at: document.place(&path), reason: unit? })
+        Some(SceneError::refused(document.place(&path), unit?))
     });
     odd.unwrap_or_else(|| document.refused(&section)(source))
 }

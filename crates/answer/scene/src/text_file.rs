@@ -37,8 +37,7 @@ pub(crate) fn read_text(
             None => format!("the file is not a text file in UTF-8; {advice}"),
         },
     };
-    let reason = format!("cannot be read: {reason}");
-    Err(SceneError::Refused { at: Box::new(place()), reason })
+    Err(SceneError::refused(place(), format!("cannot be read: {reason}")))
 }
 
 /// The first 60 characters of a text.

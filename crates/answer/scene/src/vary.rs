@@ -6,17 +6,20 @@ use asperity::{
 
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
-use crate::input::{OWN, Of, SCENE, SceneInput};
+use crate::input::{EACH, OWN, SCENE, SceneInput};
 use crate::keys::{
-    BODY, CURVATURE, Field, GAP, INTERFACE, MECHANICAL, OF_PAIR, SEAL, key_of_input,
+    BODY, COUNTERFACE, CURVATURE, Field, GAP, INTERFACE, MECHANICAL, OF_PAIR, SEAL, key_of_input,
 };
 use crate::roughness::{Roughness, Way};
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
 use crate::unknown::Unknown;
 
-fn named<T>(of: Of, fields: &'static [Field<T>]) -> impl Iterator<Item = SceneInput> {
-    fields.iter().map(move |field| SceneInput { of, key: field.name })
+fn named<T>(
+    section: &'static str,
+    fields: &'static [Field<T>],
+) -> impl Iterator<Item = SceneInput> {
+    fields.iter().map(move |field| SceneInput { section, key: field.name })
 }
 
 impl SceneFile {
@@ -27,24 +30,24 @@ impl SceneFile {
     /// equivalent moduli.
     #[must_use]
     pub fn all_inputs(&self) -> Vec<(String, SceneInput)> {
-        let SceneSpec { curvature, counterface, gas, .. } = &self.spec;
+        let SceneSpec { curvature, gas, .. } = &self.spec;
         let bodies = self.bodies().len();
         let is_of_pair = |one: &SceneInput| bodies == 0 || Field::of(BODY, one.key).is_none();
-        let mut all: Vec<SceneInput> = named(Of::Interface, INTERFACE).filter(is_of_pair).collect();
-        all.extend(named(Of::Bodies, BODY).filter(|_| bodies > 0));
-        for second in [false, true].into_iter().take(1 + usize::from(counterface.is_some())) {
-            let of = Of::Surface(second);
-            all.extend(self.keys_of_surface(second).into_iter().map(|key| SceneInput { of, key }));
+        let together = if bodies == 0 { "interface" } else { "" };
+        let mut all: Vec<SceneInput> = named(together, INTERFACE).filter(is_of_pair).collect();
+        all.extend(named("body", BODY).filter(|_| bodies > 0));
+        for (section, _) in self.spec.surfaces() {
+            let keys = self.keys_of_surface(section).into_iter();
+            all.extend(keys.map(|key| SceneInput { section, key }));
             let follows = |one: &SceneInput| one.key == "mean_plane_offset" && self.has_offset();
-            all.extend(named(of, OWN).filter(|one| !follows(one)));
+            all.extend(named(section, OWN).filter(|one| !follows(one)));
         }
-        all.extend(named(Of::Scene, SCENE).filter(|_| curvature.is_none()));
-        all.extend(named(Of::Gap, GAP).filter(|_| gas.is_some()));
-        let is_given = |one: &SceneInput| self.value_of(*one).is_some();
-        all.extend(named(Of::Curvature, CURVATURE).filter(is_given));
-        all.extend(named(Of::Seal, SEAL).filter(is_given));
-        all.extend([SceneInput { of: Of::Heights, key: "skewness" }].into_iter().filter(is_given));
-        all.extend((0..bodies).flat_map(|body| named(Of::Body(body), BODY)));
+        all.extend(named("", SCENE).filter(|_| curvature.is_none()));
+        all.extend(named("gap", GAP).filter(|_| gas.is_some()));
+        let skewness = SceneInput { section: "surface.heights", key: "skewness" };
+        let given = named("curvature", CURVATURE).chain(named("seal", SEAL)).chain([skewness]);
+        all.extend(given.filter(|one| self.value_of(*one).is_some()));
+        all.extend(EACH.into_iter().take(bodies).flat_map(|section| named(section, BODY)));
         all.into_iter().map(|input| (input.name(), input)).collect()
     }
 
@@ -55,18 +58,19 @@ impl SceneFile {
     }
 
     /// The surface by three numbers: as written, or of a single surface by its asperities.
-    fn roughness_of(&self, second: bool) -> Option<Roughness> {
-        let one = self.spec.one(second)?;
-        let is_alone = !second && (self.spec.counterface.is_none() || self.spec.pressed.is_some());
+    fn roughness_of(&self, section: &str) -> Option<Roughness> {
+        let one = self.spec.one(section)?;
+        let is_first = section != COUNTERFACE;
+        let is_alone = is_first && (self.spec.counterface.is_none() || self.spec.pressed.is_some());
         let own = || Roughness::asperities(&self.scene.surface);
         one.roughness().or_else(|| is_alone.then(own))
     }
 
     /// The keys of numbers by which a surface is described or can be.
-    fn keys_of_surface(&self, second: bool) -> Vec<&'static str> {
-        let drawing = self.spec.one(second).and_then(SurfaceSpec::drawing);
+    fn keys_of_surface(&self, section: &str) -> Vec<&'static str> {
+        let drawing = self.spec.one(section).and_then(SurfaceSpec::drawing);
         let mut keys = drawing.map_or(vec![], Drawing::open_keys);
-        if let Some(written) = self.roughness_of(second) {
+        if let Some(written) = self.roughness_of(section) {
             let [asperities, index] = [Way::Asperities, Way::PlasticityIndex].map(Way::keys);
             for key in written.way.keys().iter().chain(asperities).chain(index) {
                 if !keys.contains(key) {
@@ -100,13 +104,12 @@ impl SceneFile {
                 format!("is given beside {other}, which determines it: give one of the two");
             return Err(SceneError::Input { name, reason });
         }
-        for second in [false, true] {
-            let is_of = |one: &&SceneInput| {
-                one.of == Of::Surface(second) && Field::of(OWN, one.key).is_none()
-            };
+        for (section, one) in self.spec.surfaces() {
+            let is_of =
+                |one: &&SceneInput| one.section == section && Field::of(OWN, one.key).is_none();
             let keys: Vec<&str> = found.iter().filter(is_of).map(|one| one.key).collect();
-            let is_drawn = self.spec.one(second).is_some_and(|one| one.drawing().is_some());
-            let Some(first) = self.roughness_of(second) else { continue };
+            let is_drawn = one.drawing().is_some();
+            let Some(first) = self.roughness_of(section) else { continue };
             if is_drawn && keys.iter().all(|key| FINISH.contains(key))
                 || first.way_with(&keys).is_some()
             {
@@ -136,31 +139,31 @@ impl SceneFile {
     /// The value of an input; `None` for a number that the scene does not give, and for one in
     /// which its bodies differ.
     #[must_use]
-    pub fn value_of(&self, SceneInput { of, key }: SceneInput) -> Option<f64> {
+    pub fn value_of(&self, SceneInput { section, key }: SceneInput) -> Option<f64> {
         let spec = &self.spec;
-        match of {
-            Of::Scene => Field::value(SCENE, key, spec),
-            Of::Interface => Field::value(INTERFACE, key, &self.scene.interface),
-            Of::Curvature => Field::value(CURVATURE, key, spec.curvature.as_ref()?),
-            Of::Gap => Field::value(GAP, key, spec.gas.as_ref()?),
-            Of::Seal => Field::value(SEAL, key, spec.seal.as_ref()?),
-            Of::Body(place) => Field::value(BODY, key, self.bodies().get(place)?),
-            Of::Bodies => {
-                let value = |body: &Body| Field::value(BODY, key, body);
-                let first = value(self.bodies().first()?)?;
-                let is_same = |body| value(body).map(f64::to_bits) == Some(first.to_bits());
-                self.bodies().iter().all(is_same).then_some(first)
-            }
-            Of::Surface(second) => {
-                let one = spec.one(second)?;
-                let drawn = || one.drawing()?.get(key);
-                let by_numbers = || self.roughness_of(second)?.number(key, &self.scene.interface);
-                Field::value(OWN, key, one).or_else(drawn).or_else(by_numbers)
-            }
-            Of::Heights => match &self.scene.heights {
+        match section {
+            "" | "interface" => Field::value(SCENE, key, spec)
+                .or_else(|| Field::value(INTERFACE, key, &self.scene.interface)),
+            "curvature" => Field::value(CURVATURE, key, spec.curvature.as_ref()?),
+            "gap" => Field::value(GAP, key, spec.gas.as_ref()?),
+            "seal" => Field::value(SEAL, key, spec.seal.as_ref()?),
+            "surface.heights" => match &self.scene.heights {
                 HeightDistribution::Weibull(heights) => Some(heights.skewness()),
                 _ => None,
             },
+            "surface" | COUNTERFACE => {
+                let one = spec.one(section)?;
+                let drawn = || one.drawing()?.get(key);
+                let by_numbers = || self.roughness_of(section)?.number(key, &self.scene.interface);
+                Field::value(OWN, key, one).or_else(drawn).or_else(by_numbers)
+            }
+            bodies => {
+                let is_of = |(_, each): &(&Body, &str)| bodies == "body" || bodies == *each;
+                let mut of = self.bodies().iter().zip(EACH).filter(is_of);
+                let mut values = of.by_ref().map(|(body, _)| Field::value(BODY, key, body));
+                let first = values.next()??;
+                values.all(|one| one.map(f64::to_bits) == Some(first.to_bits())).then_some(first)
+            }
         }
     }
 
@@ -176,42 +179,41 @@ impl SceneFile {
         numbers: impl IntoIterator<Item = (SceneInput, f64)>,
     ) -> Result<Self, ContactError> {
         let mut spec = self.spec.clone();
-        let (mut of_interface, mut of_surface) = (vec![], [vec![], vec![]]);
+        let area = |spec: &SceneSpec| spec.seal.and_then(|seal| seal.area());
+        let follows = area(&spec) == Some(spec.nominal_area);
+        let mut of_interface = vec![];
+        let mut of_surfaces = [("surface", vec![]), (COUNTERFACE, vec![])];
         let mut set: Vec<SceneInput> = vec![];
         for (input, value) in numbers {
             set.push(input);
-            let SceneInput { of, key } = input;
-            match of {
-                Of::Scene => Field::put(SCENE, key, &mut spec, value),
-                Of::Interface => of_interface.push((key, value)),
-                Of::Curvature => {
-                    Field::put(CURVATURE, key, spec.curvature.get_or_insert_default(), value)
-                }
-                Of::Gap => spec.gas.iter_mut().for_each(|gas| Field::put(GAP, key, gas, value)),
-                Of::Seal => {
-                    let seal = spec.seal.get_or_insert_default();
-                    let follows = seal.area() == Some(spec.nominal_area);
-                    Field::put(SEAL, key, seal, value);
-                    spec.nominal_area =
-                        seal.area().filter(|_| follows).unwrap_or(spec.nominal_area);
-                }
-                Of::Body(place) => spec.bodies.set(key, value, |k| k == place),
-                Of::Bodies => spec.bodies.set(key, value, |_| true),
-                Of::Surface(second) => match spec.surface_mut(second) {
-                    Some(one) if Field::of(OWN, key).is_some() => Field::put(OWN, key, one, value),
-                    _ => of_surface[usize::from(second)].push((key, value)),
+            let SceneInput { section, key } = input;
+            match section {
+                "" | "interface" => match Field::of(SCENE, key) {
+                    Some(field) => (field.set)(&mut spec, value),
+                    None => of_interface.push((key, value)),
                 },
-                Of::Heights => {
+                "curvature" => {
+                    Field::put(CURVATURE, key, spec.curvature.get_or_insert_default(), value);
+                }
+                "gap" => spec.gas.iter_mut().for_each(|gas| Field::put(GAP, key, gas, value)),
+                "seal" => Field::put(SEAL, key, spec.seal.get_or_insert_default(), value),
+                "surface.heights" => {
                     let heights = WeibullHeights::new(value)?;
                     spec.heights = HeightDistribution::Weibull(heights).into();
                 }
+                "surface" | COUNTERFACE => match spec.surface_mut(section) {
+                    Some(one) if Field::of(OWN, key).is_some() => Field::put(OWN, key, one, value),
+                    _ => of_surfaces[usize::from(section == COUNTERFACE)].1.push((key, value)),
+                },
+                bodies => spec.bodies.set(bodies, key, value),
             }
         }
+        let is_given = set.iter().any(|one| Field::of(SCENE, one.key).is_some());
+        spec.nominal_area =
+            area(&spec).filter(|_| follows && !is_given).unwrap_or(spec.nominal_area);
         spec.bodies.set_together(&of_interface)?;
-        for (second, given) in [false, true].into_iter().zip(&of_surface) {
-            if !given.is_empty() {
-                self.describe(&mut spec, second, given)?;
-            }
+        for (section, given) in of_surfaces.iter().filter(|(_, given)| !given.is_empty()) {
+            self.describe(&mut spec, section, given)?;
         }
         let mut made = Self::of_spec(spec)?;
         // A number that was set, or is not that of the scene any more, has no range.
@@ -228,20 +230,20 @@ impl SceneFile {
     fn describe(
         &self,
         spec: &mut SceneSpec,
-        second: bool,
+        section: &str,
         given: &[(&'static str, f64)],
     ) -> Result<(), ContactError> {
         let is_drawn = given.iter().all(|(key, _)| FINISH.contains(key));
-        let one = spec.surface_mut(second);
+        let one = spec.surface_mut(section);
         if let Some(SurfaceSpec { by: Description::Drawing(drawing), .. }) = one
             && is_drawn
         {
             given.iter().for_each(|(key, value)| drawing.set(key, *value));
             return Ok(());
         }
-        let Some(before) = self.roughness_of(second) else { return Ok(()) };
+        let Some(before) = self.roughness_of(section) else { return Ok(()) };
         let edited = before.with(given, || spec.bodies.middle())?;
-        let is_written = spec.surface_mut(second).is_some_and(|one| one.roughness().is_some());
+        let is_written = spec.surface_mut(section).is_some_and(|one| one.roughness().is_some());
         // A scan stays where its numbers do.
         if !is_written && edited == before {
             return Ok(());
@@ -251,7 +253,7 @@ impl SceneFile {
             (spec.pressed, spec.counterface, spec.heights.is_measured) = (None, None, false);
             spec.surface.mean_plane_offset = None;
         }
-        if let Some(one) = spec.surface_mut(second) {
+        if let Some(one) = spec.surface_mut(section) {
             one.by = Description::Numbers(edited);
         }
         Ok(())
@@ -259,11 +261,11 @@ impl SceneFile {
 }
 
 impl Bodies {
-    /// Sets a number of some bodies, by their index.
-    fn set(&mut self, key: &str, value: f64, is_of: impl Fn(usize) -> bool) {
+    /// Sets a number of one of the bodies, or of both.
+    fn set(&mut self, section: &str, key: &str, value: f64) {
         let Self::Each { bodies, materials, .. } = self else { return };
-        let each = bodies.iter_mut().zip(materials).enumerate().filter(|(k, _)| is_of(*k));
-        for (_, (body, material)) in each {
+        let each = bodies.iter_mut().zip(materials).zip(EACH);
+        for ((body, material), _) in each.filter(|(_, one)| section == "body" || section == *one) {
             Field::put(BODY, key, body, value);
             *material = material.filter(|_| !MECHANICAL.contains(&key));
         }

@@ -6,6 +6,7 @@ use asperity::{Body, short};
 
 use crate::curvature::Curvature;
 use crate::keys::{CURVATURE, Field, Key};
+use crate::measured::Source;
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SurfaceSpec};
 
@@ -51,9 +52,11 @@ impl SurfaceSpec {
         });
         match &self.by {
             Description::Scan(scan) => {
-                let Some((file, keys)) = &scan.source else { return "a scan".into() };
-                let named = Path::new(file.file_name().unwrap_or(file.as_os_str()));
-                let keys = keys.iter().filter(|(key, _)| !key.starts_with("file"));
+                let Some(Source { path, written, .. }) = &scan.source else {
+                    return "a scan".into();
+                };
+                let named = Path::new(path.file_name().unwrap_or(path.as_os_str()));
+                let keys = written.iter().filter(|(key, _)| *key != "file");
                 let keys = keys.map(|(key, value)| format!(", {key} = {value}"));
                 format!("scan {}{}", named.display(), keys.collect::<String>())
             }

@@ -1,8 +1,5 @@
 //! Writer of scenes as text that reads back bit for bit.
 
-use std::fs;
-use std::path::Path;
-
 use asperity::{Body, Datum, HeightDistribution};
 use serde::Serialize;
 use toml::{Table, Value};
@@ -12,20 +9,17 @@ use crate::error::{Place, SceneError};
 use crate::input::OWN;
 use crate::keys::{BODY, Field, Key, joined, keys_of};
 use crate::materials::Material;
-use crate::measured::Scan;
 use crate::read::scene_file;
 use crate::roughness::{Roughness, Way};
 use crate::scans::Asked;
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SurfaceSpec};
-use crate::template::template;
 use crate::unknown::Unknown;
 
 impl SceneFile {
     /// The text of a scene file that [`parse`](crate::parse) reads back bit for bit, with what was
-    /// written of the scene or changed since; `comments` are written at its head, one per line.
-    /// Numbers are in SI units, a table of heights is part of the text, and paths of scans are
-    /// absolute.
+    /// written of the scene or changed since. Numbers are in SI units, a table of heights is part
+    /// of the text, and paths of scans are absolute.
     ///
     /// ```
     /// use asperity_scene::{parse, template};
@@ -34,7 +28,7 @@ impl SceneFile {
     /// let file = parse(template(), Path::new("."))?;
     /// let area = file.inputs(["nominal_area"])?[0];
     /// let twice = file.with_inputs([(area, 2e-4)]).unwrap();
-    /// let again = parse(&twice.to_toml(&["twice the area"])?, Path::new("."))?;
+    /// let again = parse(&twice.to_toml()?, Path::new("."))?;
     /// assert_eq!(again.scene.nominal_area.to_bits(), 2e-4f64.to_bits());
     /// assert_eq!(again.scene.interface, file.scene.interface);
     /// # Ok::<(), asperity_scene::SceneError>(())
@@ -42,9 +36,7 @@ impl SceneFile {
     ///
     /// # Errors
     /// [`SceneError::Refused`] for heights that a file cannot represent.
-    pub fn to_toml(&self, comments: &[&str]) -> Result<String, SceneError> {
-        let note = |line: &str| format!("# {}\n", line.replace(|c: char| c.is_control(), " "));
-        let text: String = comments.iter().flat_map(|c| c.lines()).map(note).collect();
+    pub fn to_toml(&self) -> Result<String, SceneError> {
         let spec = &self.spec;
         let mut top = spec.bodies.keys();
         let mut surface = self.surface_keys();
@@ -63,7 +55,7 @@ impl SceneFile {
         }));
         top.insert("options".into(), spec.options.changed().into());
         for (input, Unknown { ends, .. }) in &self.ranges {
-            let table = section_mut(&mut top, input.section(&spec.bodies));
+            let table = section_mut(&mut top, input.section);
             table.map(|table| table.insert(input.key.into(), ends.to_vec().into()));
         }
         let mut sections = String::new();
@@ -78,19 +70,7 @@ impl SceneFile {
                 sections += &format!("\n{header}\n{}", lines(name, keys));
             }
         }
-        Ok(text + &lines("", &top) + &sections)
-    }
-
-    /// Writes [`to_toml`](Self::to_toml) to a file and returns the text.
-    ///
-    /// # Errors
-    /// The errors of [`to_toml`](Self::to_toml), and [`SceneError::Refused`] with the system's
-    /// reason.
-    pub fn save(&self, path: &Path, comments: &[&str]) -> Result<String, SceneError> {
-        let text = self.to_toml(comments)?;
-        let at = Place { file: Some(path.into()), ..Place::field("") };
-        fs::write(path, &text).map_err(|error| unwritable(at, &error.to_string()))?;
-        Ok(text)
+        Ok(lines("", &top) + &sections)
     }
 
     /// The scene of these bodies with the other keys and sections: `nominal_area` or `curvature`,
@@ -149,8 +129,9 @@ impl SceneFile {
                 Some(Table::from_iter(columns.map(column)).into())
             }
             (heights, None) => {
-                let reason = format!("{}: a density that is not a table", heights.name());
-                return Err(unwritable(Place::field("surface.heights"), &reason));
+                let reason = "cannot be written: a density that is not a table";
+                let reason = format!("{}: {reason}", heights.name());
+                return Err(SceneError::refused(Place::field("surface.heights"), reason));
             }
         })
     }
@@ -198,7 +179,9 @@ impl SurfaceSpec {
                 let finish = drawing.finish.map(|word| ("finish".into(), word.into()));
                 drawing.by_key().map(number).chain(finish).collect()
             }
-            Description::Scan(scan) => keys_of_scan(scan),
+            Description::Scan(scan) => {
+                scan.source.as_ref().map_or_else(Table::new, |source| source.written.clone())
+            }
         };
         let own = |field: &Field<Self>| Some((field.name.into(), (field.get)(self)?.into()));
         keys.extend(OWN.iter().filter_map(own));
@@ -222,26 +205,9 @@ fn section_mut<'t>(top: &'t mut Table, section: &str) -> Option<&'t mut Table> {
     })
 }
 
-/// The path of a scan, and the keys by which it was read.
-fn keys_of_scan(scan: &Scan) -> Table {
-    let Some((path, keys)) = &scan.source else { return Table::new() };
-    let mut keys = keys.clone();
-    keys.insert("file".into(), (&*path.to_string_lossy()).into());
-    keys
-}
-
-fn unwritable(at: Place, reason: &str) -> SceneError {
-    SceneError::Refused { at: at.into(), reason: format!("cannot be written: {reason}") }
-}
-
-/// The keys of a section, one per line, in the order of the template; numbers have a comment with
-/// their unit.
+/// The keys of a section, one per line, in the order of the table of keys; numbers have a comment
+/// with their unit.
 fn lines(section: &str, table: &Table) -> String {
-    let header = format!("[{section}]");
-    let start = template().find(&header).filter(|_| !section.is_empty()).unwrap_or(0);
-    let place = |name: &&str| template()[start..].find(&format!("{name} = ")).unwrap_or(usize::MAX);
-    let mut names = keys_of(section);
-    names.sort_by_key(place);
     let line = |name: &str| {
         let value = table.get(name)?;
         let meaning = match value {
@@ -251,7 +217,7 @@ fn lines(section: &str, table: &Table) -> String {
         let gap = if meaning.is_empty() { "" } else { "  # " };
         Some(format!("{name} = {}{gap}{meaning}\n", inline(value)))
     };
-    names.into_iter().filter_map(line).collect()
+    keys_of(section).into_iter().filter_map(line).collect()
 }
 
 /// A value on one line: numbers with the shortest digits that read back.

@@ -6,7 +6,7 @@ use toml::de::Error;
 use super::Document;
 use crate::error::{Place, SceneError};
 use crate::keys::{Key, section_and_name};
-use crate::quantity::{notation_hint, range_hint};
+use crate::quantity::notation_hint;
 use crate::text_file::shorten;
 
 impl Document<'_> {
@@ -14,7 +14,7 @@ impl Document<'_> {
     /// expected.
     pub(crate) fn wrong(&self, path: &str, message: &str) -> SceneError {
         let meaning = Key::meaning(path);
-        let span = self.values.get(path).cloned();
+        let span = self.values.get(path).map(|(span, _)| span.clone());
         let found = self.text.get(span.unwrap_or_default()).unwrap_or_default();
         let found = shorten(found).replace(char::is_control, " ");
         let expected = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
@@ -22,12 +22,7 @@ impl Document<'_> {
             "f64" if found.starts_with('[') && super::may_have_range(path) => {
                 format!("a number, or two as the ends of a range ({meaning}),")
             }
-            "f64" => match range_hint(found.trim_matches('"')) {
-                Some(hint) if super::may_have_range(path) => {
-                    return SceneError::notation(self.place(path), &found, &hint);
-                }
-                _ => format!("a number ({meaning})"),
-            },
+            "f64" => format!("a number ({meaning})"),
             "a boolean" => "true or false".into(),
             "a sequence" => format!("a list ({meaning})"),
             "path string" => format!("the path of a file, in quotes ({meaning}),"),
@@ -59,12 +54,12 @@ impl Document<'_> {
     /// An error of TOML syntax.
     pub(super) fn toml_error(&self, error: &Error) -> SceneError {
         let line = self.line(error.span().map_or(0, |span| span.start));
-        let at = Box::new(Place { line, ..self.origin.place("TOML") });
+        let at = Place { line, ..self.origin.place("TOML") };
         let found = self.text.lines().nth(at.line.unwrap_or(1) - 1).unwrap_or_default();
         let reason = error.message().replace('\n', ", ");
         let advice = other_notation(found).unwrap_or_default();
         let reason = format!("{advice}{reason}: {:?} was found", shorten(found.trim()));
-        SceneError::Refused { at, reason }
+        SceneError::refused(at, reason)
     }
 }
 
@@ -74,6 +69,5 @@ fn other_notation(line: &str) -> Option<String> {
         return Some("each of two bodies is written [[body]]; ".into());
     }
     let value = line.split_once('=')?.1.split('#').next()?.trim();
-    let hint = range_hint(value).or_else(|| notation_hint(value).map(Into::into));
-    hint.map(|hint| format!("{value} {hint}; "))
+    notation_hint(value).map(|hint| format!("{value} {hint}; "))
 }

@@ -104,7 +104,7 @@ fn keywords_serde_and_scene_files_agree() {
     let json = serde_json::to_string(&from_file).unwrap();
     assert_eq!(serde_json::from_str::<ModelOptions>(&json).unwrap(), from_file);
     assert_eq!(serde_json::from_str::<ModelOptions>("{}").unwrap(), ModelOptions::default());
-    assert!(matches!(by_keyword.set("stik", &"x".into()), Err(SceneError::Wrong { .. })));
+    assert!(matches!(by_keyword.set("stik", &"x".into()), Err(SceneError::Refused { .. })));
     let harmonic = |a20| BTreeMap::from([("a20", a20), ("a21", 0.0), ("b21", 0.0)]).into();
     for (name, bad) in [
         ("angle_density", harmonic(5.0)),

@@ -100,7 +100,7 @@ fn each_surface_has_its_own_mean_plane_offset() {
     // The surface that is equivalent to both has √2 times the offset of each, and is written again.
     let file = scene(&both);
     same(file.scene.mean_plane_offset(), 2f64.sqrt() * 6e-7);
-    let again = parse(&file.to_toml(&[]).unwrap(), Path::new(".")).unwrap();
+    let again = parse(&file.to_toml().unwrap(), Path::new(".")).unwrap();
     same(force(&again, "gw-pairs", film), of(&both));
     let inputs = file.inputs(["mean_plane_offset"]).unwrap();
     let set = file.with_inputs([(inputs[0], 1e-6)]).unwrap();

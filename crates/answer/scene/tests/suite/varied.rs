@@ -188,14 +188,14 @@ fn every_number_of_every_description_is_edited_where_it_was_written() {
                         let again = varied.inputs([&*name]).unwrap()[0];
                         let found = varied.value_of(again).unwrap();
                         assert!((found / number - 1.0).abs() < 1e-12, "{name}: {found}");
-                        read(&varied.to_toml(&[]).unwrap())
+                        read(&varied.to_toml().unwrap())
                     }
                 };
                 let varied = varied.unwrap();
                 assert_eq!(physics(&varied), physics(&wanted), "{context}");
                 // Written and read again.
                 if edits % 4 == 0 {
-                    let again = read(&varied.to_toml(&[]).unwrap());
+                    let again = read(&varied.to_toml().unwrap());
                     assert_eq!(physics(&varied), physics(&again), "{context}");
                 }
                 // And back.

@@ -287,11 +287,12 @@ impl SceneFile {
     /// True
     #[pyo3(signature = (path=None))]
     fn to_toml(&self, path: Option<PathBuf>) -> PyResult<String> {
-        let text = match path {
-            None => self.0.to_toml(&[]),
-            Some(path) => self.0.save(&path, &[]),
-        };
-        text.map_err(value_error)
+        let text = self.0.to_toml().map_err(value_error)?;
+        if let Some(path) = path {
+            let reason = |error| format!("{}: cannot be written: {error}", path.display());
+            std::fs::write(&path, &text).map_err(|error| value_error(reason(error)))?;
+        }
+        Ok(text)
     }
 
     /// The arguments of this scene, in the order of the signature.
