@@ -24,14 +24,13 @@ mod slip;
 mod slip_scan;
 mod solved;
 mod subject;
-mod truth;
 mod unloading;
 mod unloading_scan;
 mod watch;
 
 pub use answer::{Answer, Basis, basis, has_property, lines, title};
 pub use asked::{Asked, Line, NO_EVIDENCE};
-pub use bem::{Press, Pressed, half_grid};
+pub use bem::{Press, Pressed};
 pub use blanks::Blanks;
 pub use check::check_sheet;
 pub use error::AnswerError;
@@ -53,9 +52,6 @@ pub use sheet::{Cell, Sheet};
 pub use slip::{Amplitude, Slip};
 pub use solved::{solve, solved_contact};
 pub use subject::{Subject, unit_warning};
-pub use truth::{
-    ContactState, Truth, Truths, beside_table, compare_with_bem, compared, heads, truth, truth_of,
-};
 pub use unloading::{Retreats, unloading};
 pub use unloading_scan::unloading_scan;
 pub use watch::{Silent, Watch};

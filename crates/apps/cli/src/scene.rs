@@ -30,7 +30,7 @@ impl LoadedScene {
     /// of the models uses asperities; otherwise a scan needs none.
     pub fn load(path: &Path, ids: &[String]) -> Result<Self> {
         if !use_asperities(ids) {
-            return Self::load_scan(path, BemOptions::default(), false);
+            return Self::load_scan(path, BemOptions::default());
         }
         let scene = Self::open(path)?;
         scene.report_scene(true);
@@ -38,13 +38,12 @@ impl LoadedScene {
     }
 
     /// Reads the file of a scan, which may have no asperities and, with a periodic boundary, is
-    /// declared periodic whatever the file says; reports what is unusual, on its asperities if they
-    /// are used.
-    pub fn load_scan(path: &Path, given: BemOptions, asperities: bool) -> Result<Self> {
+    /// declared periodic whatever the file says; reports what is unusual, but for its asperities.
+    pub fn load_scan(path: &Path, given: BemOptions) -> Result<Self> {
         let is_periodic = given.boundary == Some(Continuation::Periodic);
         let file = asperity_scene::load_scan(path, is_periodic)?.pressing(given);
         let scene = Self { file, name: path.display().to_string() }.kept()?;
-        scene.report_scene(asperities);
+        scene.report_scene(false);
         Ok(scene)
     }
 
