@@ -34,7 +34,7 @@ pub use bem::{Press, Pressed};
 pub use blanks::Blanks;
 pub use check::check_sheet;
 pub use error::AnswerError;
-pub use export::{ConductanceAgainst, Export, Exported, Nodes, TableFormat, UnitSystem};
+pub use export::{Export, Exported, Nodes, TableFormat, UnitSystem};
 pub use history::history;
 pub use inquiry::{ADHESIVE, Beside, ENDS, Inquiry, OPENING, column_of_end};
 pub use models::{

@@ -251,9 +251,8 @@ mod tests {
                 subject: Subject { file: &file, name: "", id: BEST, model: &best, tolerance },
                 nodes: Nodes::Loads(&at),
                 format: TableFormat::Csv,
-                units: UnitSystem::Si,
-                conductance: None,
-                friction: None,
+                units: UnitSystem::SI,
+                conductance: false,
             };
             let mut desk = Desk::default();
             call(&mut desk, json!({ "call": "show", "text": text }));
