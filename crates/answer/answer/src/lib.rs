@@ -36,7 +36,7 @@ pub use check::check_sheet;
 pub use error::AnswerError;
 pub use export::{Export, Exported, Nodes, TableFormat, UnitSystem};
 pub use history::history;
-pub use inquiry::{ADHESIVE, Beside, ENDS, Inquiry, OPENING, column_of_end};
+pub use inquiry::{ADHESIVE, Beside, Inquiry, OPENING};
 pub use models::{
     ALL_MODELS, best_and_nearest, models, of_joint, once, one_model, one_or_usual, scene_findings,
     use_asperities,
@@ -48,10 +48,9 @@ pub use ranges::with_ranges;
 pub use sealing::sealing;
 pub use search::{NoEnds, Numbers, Search};
 pub use several::at_values;
-pub use sheet::{Cell, Sheet};
+pub use sheet::{Cell, ENDS, Sheet, column_of_end};
 pub use slip::{Amplitude, Slip};
 pub use solved::{solve, solved_contact};
-pub use subject::{Subject, unit_warning};
-pub use unloading::{Retreats, unloading};
-pub use unloading_scan::unloading_scan;
+pub use subject::{Retreats, Subject, unit_warning};
+pub use unloading::unloading;
 pub use watch::{Silent, Watch};

@@ -4,14 +4,15 @@ use std::path::Path;
 
 use anyhow::{Context, Error, Result};
 use asperity::bem::{Bem, BemOptions, Continuation};
-use asperity::{Described, Findings, Model, Severity, Tolerance};
+use asperity::{At, Described, Findings, Model, Severity, Tolerance};
 use asperity_answer::{
-    AnswerError, Sheet, Subject, one_model, one_or_usual, scene_findings, use_asperities,
+    AnswerError, Sheet, Subject, one_model, one_or_usual, scene_findings, solve, use_asperities,
 };
 use asperity_scene::SceneFile;
 
 use crate::input::args::EndArgs;
 use crate::input::destinations;
+use crate::interrupt::Terminal;
 use crate::output::{self, print_results, show};
 
 /// A scene file and its name.
@@ -52,6 +53,13 @@ impl LoadedScene {
         let (file, note) = self.file.taken_at(&end.at)?;
         show(&file.accepted(note.into_iter().collect()));
         Ok(Self { file, ..self })
+    }
+
+    /// Solves the scan at these loads, as an input of answers.
+    pub fn solve(&mut self, at: &[At]) -> Result<()> {
+        let solve = |_: &mut Sheet| solve(&self.file, at, &Terminal::default());
+        self.file.solved = self.answer(solve)?.1;
+        Ok(())
     }
 
     /// The boundary elements of the scene's scan.

@@ -140,7 +140,8 @@ impl BemCommand {
             }
         }
         if sheet.rows.is_empty() || interrupt::requested() {
-            interrupt::end(sheet.rows.len(), pressures.len());
+            let (done, all) = (sheet.rows.len(), pressures.len());
+            interrupt::end_with(&format!("{done} of {all} loads are solved"));
         }
         Ok(())
     }
