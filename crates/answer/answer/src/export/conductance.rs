@@ -1,8 +1,8 @@
 //! Thermal conductance against pressure in the formats of finite-element codes.
 //!
 //! The formats follow public text: the keyword manuals of Abaqus (`*GAP CONDUCTANCE`, 2017) and of
-//! CalculiX 2.17, and CalculiX' sources (`gapconductances.f`, `materialdata_sp.f`). CalculiX was run
-//! on it (`tests/calculix.rs`), no other code was.
+//! CalculiX 2.17, and CalculiX' sources (`gapconductances.f`, `materialdata_sp.f`). CalculiX was
+//! run on them (`tests/calculix.rs`), no other code was.
 
 use asperity::{At, ContactModel, Quantity, Request};
 

@@ -92,28 +92,23 @@ fn all() -> Vec<Listed> {
     Model::all().into_iter().map(Listed::from).chain([bem]).collect()
 }
 
+/// The columns of models.
+const MODELS: [&str; 8] =
+    ["model", "name", "year", "authors", "valid_for", "title", "equations", "variant"];
+
 fn models(word: &str, narrow: bool) -> Result<Sheet> {
-    let mut sheet = Sheet::default();
+    let mut sheet = Sheet::new(&MODELS[..if narrow { NARROW } else { MODELS.len() }]);
     for Listed { id, name, source, valid_for, variant } in like(word)? {
         if let Some(text) = variant.last().filter(|_| narrow) {
             // Of models on other asperities, their ending: it differs in the same way for all.
             let ending = id.strip_prefix(source.id).filter(|ending| !ending.is_empty());
             sheet.result(format!("{}: {text}", ending.unwrap_or(&id)));
         }
-        let cells: &[(&str, &str)] = &[
-            ("model", &id),
-            ("name", &name),
-            ("year", &source.year.to_string()),
-            ("authors", source.authors),
-            ("valid_for", valid_for),
-            ("title", source.title),
-            ("equations", &source.provenance.to_string()),
-            ("variant", &variant.join("; ")),
-        ];
-        let shown = if narrow { &cells[..NARROW] } else { cells };
-        let (heads, row): (Vec<&str>, Vec<&str>) = shown.iter().copied().unzip();
-        sheet.under(&[&heads]);
-        sheet.add(&row, [Cell::BLANK; 0]);
+        let (year, equations) = (source.year.to_string(), source.provenance.to_string());
+        let variant = variant.join("; ");
+        let Citation { authors, title, .. } = source;
+        let cells = [&*id, &name, &year, authors, valid_for, title, &equations, &variant];
+        sheet.add(&cells[..sheet.heads.len()], [Cell::BLANK; 0]);
     }
     Ok(sheet)
 }
