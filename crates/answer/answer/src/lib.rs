@@ -38,8 +38,8 @@ pub use export::{Export, Exported, Nodes, TableFormat, UnitSystem};
 pub use history::history;
 pub use inquiry::{ADHESIVE, Beside, Inquiry, OPENING};
 pub use models::{
-    ALL_MODELS, best_and_nearest, models, of_joint, once, one_model, one_or_usual, scene_findings,
-    use_asperities,
+    ALL_MODELS, best_and_nearest, grouped, models, of_joint, once, one_model, one_or_usual,
+    scene_findings, use_asperities,
 };
 pub use number::{rounded, within};
 pub use patch::patch;

@@ -4,6 +4,7 @@
 use asperity::{Code, Quantity, map_runs};
 use asperity_scene::{Description, Points, SceneFile, Unknown};
 
+use crate::models::grouped;
 use crate::search::{NoEnds, Numbers, Search};
 use crate::{AnswerError, Cell, Sheet};
 
@@ -202,20 +203,16 @@ impl Ends<'_> {
             (0..unknowns.len()).reduce(|a, b| if sum(b) > sum(a) * (1.0 + SAME) { b } else { a });
         let Some(k) = widest.filter(|_| !widths.is_empty()) else { return };
         // Quantities with the same shares together.
-        let mut groups: Vec<(String, Vec<String>)> = vec![];
-        for (quantity, Width { of_unknowns, .. }) in &widths {
+        let shares = |(quantity, Width { of_unknowns, .. }): &(Quantity, Width)| {
             let all: f64 = of_unknowns.iter().sum();
             let share = |(one, of): (&Unknown, &f64)| {
                 Some(format!("{} {:.0} %", one.name, 100.0 * of / all))
                     .filter(|_| *of > 0.005 * all)
             };
             let shares: Vec<_> = unknowns.iter().zip(of_unknowns).filter_map(share).collect();
-            let shares = shares.join(", ");
-            match groups.iter_mut().find(|(known, _)| *known == shares) {
-                Some((_, quantities)) => quantities.push(quantity.to_string()),
-                None => groups.push((shares, vec![quantity.to_string()])),
-            }
-        }
+            (shares.join(", "), quantity.to_string())
+        };
+        let groups = grouped(widths.iter().map(shares));
         let Unknown { name, narrowed, .. } = &unknowns[k];
         let text = |(shares, of): &(String, Vec<String>)| format!("of {}: {shares}", of.join(", "));
         sheet.result(match &unknowns[..] {

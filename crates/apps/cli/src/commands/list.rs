@@ -3,7 +3,7 @@
 use anyhow::{Result, ensure};
 use asperity::bem::Bem;
 use asperity::{Body, Citation, Code, Described, Model, Quantity, nearest_hint, nearest_name};
-use asperity_answer::{Cell, Sheet};
+use asperity_answer::{Cell, Sheet, grouped};
 use asperity_scene::{BODY, Field, Material, column_of};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -123,17 +123,9 @@ const PROGRAM: &str = concat!(
 
 /// The entry of the program, and one for each source, under the ids of the models that it is for.
 fn sources(word: &str) -> Result<Sheet> {
-    let mut entries: Vec<(String, Vec<String>)> = vec![];
-    for Listed { id, source, .. } in like(word)? {
-        let entry = source.bibtex();
-        match entries.iter_mut().find(|(known, _)| *known == entry) {
-            Some((_, ids)) => ids.push(id),
-            None => entries.push((entry, vec![id])),
-        }
-    }
     let mut sheet = Sheet::new(&["entry"]);
     sheet.add(&[PROGRAM], [Cell::BLANK; 0]);
-    for (entry, ids) in entries {
+    for (entry, ids) in grouped(like(word)?.into_iter().map(|one| (one.source.bibtex(), one.id))) {
         // Text between entries is a comment.
         sheet.add(&[&format!("{}\n{entry}", ids.join(", "))], [Cell::BLANK; 0]);
     }
