@@ -7,10 +7,11 @@ use asperity::{
 use asperity_scene::{INTERFACE, SceneFile, Shape};
 
 use crate::asked::NO_EVIDENCE;
-use crate::inquiry::{Beside, ENDS, Inquiry, column_of_end};
+use crate::inquiry::{Beside, Inquiry};
 use crate::models::grouped;
 use crate::number::{fixed, prefixed};
 use crate::ranges::with_ranges;
+use crate::sheet::{ENDS, column_of_end};
 use crate::subject::Outcome;
 use crate::{Cell, Sheet, Silent, Watch};
 
@@ -132,29 +133,21 @@ impl Answer {
     fn fill(&self, file: &SceneFile, sheet: &mut Sheet) -> Outcome {
         let models = vec![file.model(Best::<Model>::ID)?];
         Inquiry::new(file, models, self.request.clone()).answer(sheet, &Silent)?;
-        // The mean gap in place of the separation, whose plane is the scene's.
-        let heads = [GAP.into(), column_of_end(GAP, ENDS[0]), column_of_end(GAP, ENDS[1])];
-        let [sigma, metres] =
-            ["separation_over_sigma", "separation_m"].map(|name| sheet.column(name));
-        let ends = sheet.heads.len() - ENDS.len();
-        let mean_gap = |cell: &Cell| {
-            let from = Separation {
-                from: file.spec.separation_from,
-                ..Separation::metres(cell.number()?)
-            };
-            let unit = SeparationUnit::Metres;
-            Some(from.measured_in(unit, Datum::SurfaceMean, &file.scene).ok()?.value)
+        let Some(metres) = sheet.column("separation_m") else { return Ok(()) };
+        // The mean gap in place of the separations, whose plane is the scene's.
+        let mean_gap = |metres: f64| {
+            let from = file.spec.separation_from;
+            let at = Separation { from, ..Separation::metres(metres) };
+            let found = at.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, &file.scene);
+            Some(found.ok()?.value)
         };
-        let [Some(sigma), Some(metres)] = [sigma, metres] else { return Ok(()) };
         for row in &mut sheet.rows {
-            let gap = [metres, ends, ends + 1].map(|k| Cell::from(mean_gap(&row[k])));
-            row.truncate(ends);
-            row.extend(gap);
-            row.drain(sigma..=metres);
+            row.push(row[metres].map(mean_gap));
+            row.drain(metres - 1..=metres);
         }
-        sheet.heads.truncate(ends);
-        sheet.heads.extend(heads);
-        sheet.heads.drain(sigma..=metres);
+        sheet.heads.push(GAP.into());
+        sheet.heads.drain(metres - 1..=metres);
+        sheet.with_ends.push(GAP.into());
         Ok(())
     }
 

@@ -259,7 +259,7 @@ fn of_grid<T>(row: &[T]) -> impl Iterator<Item = &T> {
 ///
 /// # Errors
 /// A grid that cannot be halved, with the remedy.
-pub fn half_grid(bem: &Bem) -> Result<Bem, AnswerError> {
+fn half_grid(bem: &Bem) -> Result<Bem, AnswerError> {
     let how = match bem.continuation() {
         Continuation::Periodic => "resample the period to such a grid (a crop is not periodic)",
         _ => "crop the scan",

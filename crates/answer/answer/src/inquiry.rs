@@ -1,11 +1,9 @@
 //! What is asked of a scene: models, quantities and places, and how the answer is shown.
 
-use std::sync::OnceLock;
-
 use asperity::recommended::JKR;
 use asperity::{
-    At, Best, Code, ContactError, Datum, Described, Evaluation, Findings, Model, Quantity, Request,
-    Separation, SeparationUnit,
+    At, Best, Code, ContactError, Datum, Described, Findings, Model, Quantity, Request, Separation,
+    SeparationUnit,
 };
 use asperity_scene::SceneFile;
 
@@ -68,6 +66,10 @@ impl<'s> Inquiry<'s> {
     /// the findings until then.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<(), AnswerError> {
         sheet.heads = self.heads();
+        if self.has_intervals() {
+            let quantities = self.request.quantities.iter().map(|quantity| quantity.column());
+            sheet.with_ends = quantities.chain(["separation_m".into()]).collect();
+        }
         let (mut found, mut wanted) = (Found::default(), vec![]);
         let reference = match &self.beside {
             Beside::Deviations(reference) => Some(reference),
@@ -134,8 +136,6 @@ impl<'s> Inquiry<'s> {
         let quantities = &self.request.quantities;
         for quantity in quantities {
             heads.push(quantity.column());
-            let ends = ENDS.map(|end| column_of_end(&quantity.column(), end));
-            heads.extend(ends.into_iter().filter(|_| self.has_intervals()));
             if matches!(self.beside, Beside::Deviations(_)) {
                 heads.push(column_beside(*quantity, "deviation"));
             }
@@ -143,8 +143,6 @@ impl<'s> Inquiry<'s> {
         if matches!(self.beside, Beside::Errors) {
             heads.extend(quantities.iter().map(|q| column_beside(*q, "error")));
         }
-        let ends = ENDS.map(|end| column_of_end("separation_m", end));
-        heads.extend(ends.into_iter().filter(|_| self.has_intervals()));
         heads
     }
 
@@ -157,11 +155,13 @@ impl<'s> Inquiry<'s> {
     fn row(&self, mut row: Vec<Cell>, line: &Line, wanted: Option<&Line>) -> Vec<Cell> {
         let quantities = &self.request.quantities;
         for (k, (value, &quantity)) in line.values.iter().zip(quantities).enumerate() {
-            row.push(cell(value));
-            if self.has_intervals() {
-                let of = line.intervals[k].as_ref();
-                row.extend([of.map(|of| of.lower), of.map(|of| of.upper)].map(Cell::from));
-            }
+            row.push(match (value, &line.intervals[k]) {
+                (Ok(value), Some(of)) => {
+                    Cell::Between(value.value(), [of.lower, of.upper].map(Some))
+                }
+                (Ok(value), None) => value.value().into(),
+                (Err(reason), _) => Cell::Blank(Some(reason.clone().into())),
+            });
             if let Some(wanted) = wanted {
                 let both = value.as_ref().ok().zip(wanted.values[k].as_ref().ok());
                 row.push(both.and_then(|(a, b)| a.deviation(b, quantity)).into());
@@ -170,9 +170,6 @@ impl<'s> Inquiry<'s> {
         if matches!(self.beside, Beside::Errors) {
             let values = line.values.iter().zip(quantities);
             row.extend(values.map(|(v, q)| Cell::from(v.as_ref().ok().map(|v| v.bound(*q)))));
-        }
-        if self.has_intervals() {
-            row.extend([0, 1].map(|end| Cell::from(line.between.map(|ends| ends[end]))));
         }
         row
     }
@@ -255,9 +252,14 @@ impl<'s> Inquiry<'s> {
             return vec![Cell::from(id), place.into()];
         }
         let films = if self.films { &line.film[..] } else { &[] };
-        let separation = line.separation.iter().map(|found| found.as_ref().ok().copied());
-        let places = self.loads_at(line.given).chain(films.iter().copied()).chain(separation);
-        [Cell::from(id)].into_iter().chain(places.map(Cell::from)).collect()
+        let [sigma, metres] = line.separation.each_ref().map(|at| at.as_ref().ok().copied());
+        let metres = match (metres, line.between) {
+            (Some(metres), Some(ends)) => Cell::Between(metres, ends.map(Some)),
+            (metres, _) => metres.into(),
+        };
+        let places = self.loads_at(line.given).chain(films.iter().copied()).chain([sigma]);
+        let places = places.map(Cell::from).chain([metres]);
+        [Cell::from(id)].into_iter().chain(places).collect()
     }
 
     /// Load and pressure, as far as the sheet has columns for them.
@@ -272,34 +274,10 @@ impl<'s> Inquiry<'s> {
 /// The film and its ratio to the standard deviation of the surface heights.
 const FILMS: [&str; 2] = ["film_m", "lambda"];
 
-/// The ends of an interval.
-pub const ENDS: [&str; 2] = ["lower", "upper"];
-
 /// The name of a column beside a quantity: `mean_pressure_error`.
 #[must_use]
 pub(crate) fn column_beside(quantity: Quantity, what: &str) -> String {
     format!("{quantity}_{what}").replace('-', "_")
-}
-
-/// The name of a column with an end of another, before the unit of that: `area_lower_m2`,
-/// `separation_lower_m`.
-#[must_use]
-pub fn column_of_end(column: &str, end: &str) -> String {
-    static UNITS: OnceLock<Vec<String>> = OnceLock::new();
-    let unit = |quantity: Quantity| quantity.column().split_off(quantity.to_string().len());
-    let units = UNITS
-        .get_or_init(|| Quantity::ALL.into_iter().map(unit).chain(["_N_per_m3".into()]).collect());
-    let units = units.iter().filter(|unit| column.ends_with(&***unit));
-    let unit = units.max_by_key(|unit| unit.len()).map_or("", String::as_str);
-    let (name, unit) = column.split_at(column.len() - unit.len());
-    format!("{name}_{end}{unit}")
-}
-
-fn cell(value: &Result<Evaluation, ContactError>) -> Cell {
-    match value {
-        Ok(value) => Cell::Number(value.value()),
-        Err(reason) => Cell::Blank(Some(reason.clone().into())),
-    }
 }
 
 /// Findings about the answers of all models.

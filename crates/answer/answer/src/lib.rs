@@ -24,23 +24,22 @@ mod slip;
 mod slip_scan;
 mod solved;
 mod subject;
-mod truth;
 mod unloading;
 mod unloading_scan;
 mod watch;
 
 pub use answer::{Answer, Basis, basis, has_property, lines, title};
 pub use asked::{Asked, Line, NO_EVIDENCE};
-pub use bem::{Press, Pressed, half_grid};
+pub use bem::{Press, Pressed};
 pub use blanks::Blanks;
 pub use check::check_sheet;
 pub use error::AnswerError;
-pub use export::{ConductanceAgainst, Export, Exported, Nodes, TableFormat, UnitSystem};
+pub use export::{Export, Exported, Nodes, TableFormat, UnitSystem};
 pub use history::history;
-pub use inquiry::{ADHESIVE, Beside, ENDS, Inquiry, OPENING, column_of_end};
+pub use inquiry::{ADHESIVE, Beside, Inquiry, OPENING};
 pub use models::{
-    ALL_MODELS, best_and_nearest, models, of_joint, once, one_model, one_or_usual, scene_findings,
-    use_asperities,
+    ALL_MODELS, best_and_nearest, grouped, models, of_joint, once, one_model, one_or_usual,
+    scene_findings, use_asperities,
 };
 pub use number::{rounded, within};
 pub use patch::patch;
@@ -49,13 +48,9 @@ pub use ranges::with_ranges;
 pub use sealing::sealing;
 pub use search::{NoEnds, Numbers, Search};
 pub use several::at_values;
-pub use sheet::{Cell, Sheet};
+pub use sheet::{Cell, ENDS, Sheet, column_of_end};
 pub use slip::{Amplitude, Slip};
 pub use solved::{solve, solved_contact};
-pub use subject::{Subject, unit_warning};
-pub use truth::{
-    ContactState, Truth, Truths, beside_table, compare_with_bem, compared, heads, truth, truth_of,
-};
-pub use unloading::{Retreats, unloading};
-pub use unloading_scan::unloading_scan;
+pub use subject::{Retreats, Subject, unit_warning};
+pub use unloading::unloading;
 pub use watch::{Silent, Watch};

@@ -176,7 +176,7 @@ pub(crate) fn by_reason<'e>(
 }
 
 /// Values under their keys, each once, in the order of the first.
-pub(crate) fn grouped<K: PartialEq, V: PartialEq>(
+pub fn grouped<K: PartialEq, V: PartialEq>(
     pairs: impl IntoIterator<Item = (K, V)>,
 ) -> Vec<(K, Vec<V>)> {
     let mut groups: Vec<(K, Vec<V>)> = vec![];

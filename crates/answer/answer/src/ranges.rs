@@ -4,7 +4,7 @@
 use asperity::{Code, Quantity, map_runs};
 use asperity_scene::{Description, Points, SceneFile, Unknown};
 
-use crate::inquiry::{ENDS, column_of_end};
+use crate::models::grouped;
 use crate::search::{NoEnds, Numbers, Search};
 use crate::{AnswerError, Cell, Sheet};
 
@@ -31,6 +31,7 @@ pub fn with_ranges<T, E: From<AnswerError> + Send>(
     let points = file.points().map_err(AnswerError::from)?;
     let answered = fill(&points.middle, sheet)?;
     if points.all.is_empty() {
+        sheet.spread();
         return Ok(answered);
     }
     let rows = sheet.rows.len();
@@ -49,8 +50,6 @@ pub fn with_ranges<T, E: From<AnswerError> + Send>(
     };
     let search = Search::over(&points, file.shape().is_some());
     let mut sheets = fill_all(&points.all[..search.first()])?;
-    let answers = answers(&sheet.heads);
-    let numbers = |sheet: &Sheet| numbers(sheet, &answers);
     let first = sheets.iter().map(numbers).collect();
     let found = search.ends(&numbers(sheet), first, &sought(sheet), |shares| {
         let scenes = shares.iter().map(|shares| file.at(shares)).collect::<Result<Vec<_>, _>>();
@@ -61,41 +60,30 @@ pub fn with_ranges<T, E: From<AnswerError> + Send>(
     })?;
     let ends = Ends { file, points, sheets, found };
     ends.add_findings(sheet);
-    ends.add_columns(sheet);
+    ends.set(sheet);
+    sheet.spread();
     Ok(answered)
 }
 
-/// Of each column with an end of an interval the column of its answer.
-fn answers(heads: &[String]) -> Vec<Option<usize>> {
-    let of_end = |end: &str| heads.iter().map(|head| column_of_end(head, end)).collect();
-    let ends: [Vec<String>; 2] = ENDS.map(of_end);
-    let own = |head: &String| {
-        let end = of_interval(head)?;
-        ends[end].iter().position(|of_end| of_end == head)
-    };
-    heads.iter().map(own).collect()
-}
+/// The numbers of each cell: its own and the ends of its interval, for which it stands without one.
+const OF_CELL: usize = 3;
 
-/// The numbers of a sheet, row by row; of an interval that an answer does not have, the answer.
-fn numbers(sheet: &Sheet, answers: &[Option<usize>]) -> Numbers {
-    let of_row = |row: &Vec<Cell>| {
-        let number = |column: usize| row.get(column).and_then(Cell::number);
-        let columns = answers.iter().enumerate();
-        columns
-            .map(|(column, answer)| number(column).or_else(|| number((*answer)?)))
-            .collect::<Numbers>()
+/// The numbers of a sheet, cell by cell.
+fn numbers(sheet: &Sheet) -> Numbers {
+    let of_cell = |cell: &Cell| {
+        let (own, [lower, upper]) = (cell.number(), cell.ends());
+        [own, lower.or(own), upper.or(own)]
     };
-    sheet.rows.iter().flat_map(of_row).collect()
+    sheet.rows.iter().flatten().flat_map(of_cell).collect()
 }
 
 /// Which ends of the numbers of a sheet are sought: of an interval those of its ends.
 fn sought(sheet: &Sheet) -> Vec<[bool; 2]> {
-    let of_head = |head: &String| match of_interval(head) {
-        _ if ANSWERS.iter().any(|end| head.ends_with(end)) => [false; 2],
-        Some(end) => [end == 0, end == 1],
-        None => [sheet.column(&column_of_end(head, ENDS[0])).is_none(); 2],
+    let of_head = |head: &String| match sheet.with_ends.contains(head) {
+        true => [[false; 2], [true, false], [false, true]],
+        false => [[!is_deviation(head); 2], [false; 2], [false; 2]],
     };
-    let of_row: Vec<[bool; 2]> = sheet.heads.iter().map(of_head).collect();
+    let of_row: Vec<[bool; 2]> = sheet.heads.iter().flat_map(of_head).collect();
     of_row.repeat(sheet.rows.len())
 }
 
@@ -118,66 +106,49 @@ struct Width {
 }
 
 impl Ends<'_> {
-    /// The ends of a number.
-    fn ends(&self, sheet: &Sheet, row: usize, column: usize) -> Result<[f64; 2], NoEnds> {
-        self.found[row * sheet.heads.len() + column]
+    /// The ends of a number of a cell.
+    fn ends(&self, sheet: &Sheet, row: usize, column: usize, k: usize) -> Result<[f64; 2], NoEnds> {
+        self.found[OF_CELL * (row * sheet.heads.len() + column) + k]
     }
 
-    /// Adds the ends of every column of answers, and of places whose numbers differ.
-    fn add_columns(&self, sheet: &mut Sheet) {
-        let differs = |column: &usize| {
+    /// Sets the ends of all answers, and of places whose numbers differ.
+    fn set(&self, sheet: &mut Sheet) {
+        let differs = |column: usize| {
             (0..sheet.rows.len()).any(|row| {
-                let own = sheet.rows[row][*column].number();
-                self.sheets.iter().any(|end| match (own, end.rows[row][*column].number()) {
+                let own = sheet.rows[row][column].number();
+                self.sheets.iter().any(|end| match (own, end.rows[row][column].number()) {
                     (Some(own), Some(other)) => (own - other).abs() > SAME * own.abs(),
                     (own, other) => own.is_some() != other.is_some(),
                 })
             })
         };
-        let is_answer = |column: &usize| match quantity_of(&sheet.heads[*column]) {
+        let is_answer = |head: &String| match quantity_of(head) {
             Some(Quantity::Pressure) => sheet.column("load_N").is_none(),
-            Some(_) => true,
-            None => ANSWERS.iter().any(|end| sheet.heads[*column].ends_with(end)),
+            quantity => quantity.is_some() || is_deviation(head),
         };
-        let has_own =
-            |column: &usize| sheet.column(&column_of_end(&sheet.heads[*column], ENDS[0])).is_some();
-        let columns = (0..sheet.heads.len()).filter(|column| !has_own(column));
-        let is_end = |column: &usize| of_interval(&sheet.heads[*column]).is_some();
-        let is_shown = |column: &usize| is_answer(column) || is_end(column) || differs(column);
-        let columns = columns.filter(is_shown);
-        let columns: Vec<usize> = columns.collect();
-        let ends = |row: usize, column: usize| self.ends(sheet, row, column);
-        let ends: Vec<Vec<Result<[f64; 2], NoEnds>>> = (0..sheet.rows.len())
-            .map(|row| columns.iter().map(|column| ends(row, *column)).collect())
-            .collect();
-        let answers = answers(&sheet.heads);
+        let is_shown = |(column, head): (usize, &String)| {
+            let has_interval = sheet.with_ends.contains(head);
+            let is_shown = has_interval || is_answer(head) || differs(column);
+            is_shown.then_some((column, has_interval))
+        };
+        let shown: Vec<(usize, bool)> =
+            sheet.heads.iter().enumerate().filter_map(is_shown).collect();
         let mut found = [NoEnds::Missing, NoEnds::Growing].map(|why| (why, [0; 2]));
-        let mut count = |why: Option<NoEnds>, kind: usize| {
-            let counts = found.iter_mut().filter(|(of, _)| Some(*of) == why);
-            counts.for_each(|(_, counts)| counts[kind] += 1);
-        };
-        // From the last, so that the places of the others stay.
-        for (k, column) in columns.into_iter().enumerate().rev() {
-            let interval = of_interval(&sheet.heads[column]);
-            for (row, ends) in sheet.rows.iter_mut().zip(&ends) {
-                let ends = ends[k];
-                let number = |column: usize| row[column].number();
-                if let Some(end) = interval {
-                    let is_answer = end == 0 && answers[column].and_then(number).is_some();
-                    count(ends.err().filter(|_| is_answer), 1);
-                    row[column] = ends.ok().map(|ends| ends[end]).into();
-                    continue;
-                }
-                if ends.is_err() && number(column).is_some() {
-                    count(ends.err(), 0);
-                    row[column] = Cell::BLANK;
-                }
-                let ends = [0, 1].map(|end| Cell::from(ends.ok().map(|ends| ends[end])));
-                row.splice(column + 1..column + 1, ends);
+        for (column, has_interval) in shown {
+            for row in 0..sheet.rows.len() {
+                let Some(value) = sheet.rows[row][column].number() else { continue };
+                let of = if has_interval { [1, 2] } else { [0, 0] };
+                let [lower, upper] = of.map(|k| self.ends(sheet, row, column, k));
+                let ends = [lower.map(|ends| ends[0]), upper.map(|ends| ends[1])];
+                let counts = found.iter_mut().filter(|(why, _)| ends[0].err() == Some(*why));
+                counts.for_each(|(_, counts)| counts[usize::from(has_interval)] += 1);
+                sheet.rows[row][column] = match ends[0] {
+                    Err(_) if !has_interval => Cell::BLANK,
+                    _ => Cell::Between(value, ends.map(Result::ok)),
+                };
             }
-            if interval.is_none() {
-                let heads = ENDS.map(|end| column_of_end(&sheet.heads[column], end));
-                sheet.heads.splice(column + 1..column + 1, heads);
+            if !has_interval {
+                sheet.with_ends.push(sheet.heads[column].clone());
             }
         }
         for (why, [blank, open]) in found {
@@ -198,7 +169,7 @@ impl Ends<'_> {
     /// The widest value of a column: in logarithms where all its numbers are positive.
     fn width(&self, sheet: &Sheet, column: usize) -> Option<Width> {
         let of_row = |row: usize| {
-            let ends = self.ends(sheet, row, column).ok()?;
+            let ends = self.ends(sheet, row, column, 0).ok()?;
             let is_ratio = ends[0] > 0.0;
             let scaled = |number: f64| if is_ratio { number.ln() } else { number };
             let size = if is_ratio { 1.0 } else { ends[1].max(-ends[0]) };
@@ -232,20 +203,16 @@ impl Ends<'_> {
             (0..unknowns.len()).reduce(|a, b| if sum(b) > sum(a) * (1.0 + SAME) { b } else { a });
         let Some(k) = widest.filter(|_| !widths.is_empty()) else { return };
         // Quantities with the same shares together.
-        let mut groups: Vec<(String, Vec<String>)> = vec![];
-        for (quantity, Width { of_unknowns, .. }) in &widths {
+        let shares = |(quantity, Width { of_unknowns, .. }): &(Quantity, Width)| {
             let all: f64 = of_unknowns.iter().sum();
             let share = |(one, of): (&Unknown, &f64)| {
                 Some(format!("{} {:.0} %", one.name, 100.0 * of / all))
                     .filter(|_| *of > 0.005 * all)
             };
             let shares: Vec<_> = unknowns.iter().zip(of_unknowns).filter_map(share).collect();
-            let shares = shares.join(", ");
-            match groups.iter_mut().find(|(known, _)| *known == shares) {
-                Some((_, quantities)) => quantities.push(quantity.to_string()),
-                None => groups.push((shares, vec![quantity.to_string()])),
-            }
-        }
+            (shares.join(", "), quantity.to_string())
+        };
+        let groups = grouped(widths.iter().map(shares));
         let Unknown { name, narrowed, .. } = &unknowns[k];
         let text = |(shares, of): &(String, Vec<String>)| format!("of {}: {shares}", of.join(", "));
         sheet.result(match &unknowns[..] {
@@ -265,13 +232,12 @@ impl Ends<'_> {
     }
 }
 
-/// Ends of the names of columns about models, beside the columns of quantities.
-const ANSWERS: [&str; 1] = ["_deviation"];
 /// Relative difference of numbers that are the same but for their errors.
 const SAME: f64 = 1e-9;
-/// Which end of an interval a column is.
-pub(crate) fn of_interval(head: &str) -> Option<usize> {
-    ENDS.iter().position(|end| head.contains(&format!("_{end}")))
+
+/// Whether a column is about a model, beside the column of a quantity.
+fn is_deviation(head: &str) -> bool {
+    head.ends_with("_deviation")
 }
 
 /// The quantity of a column.

@@ -3,9 +3,8 @@
 use asperity::{Finding, shortest_digits};
 use asperity_scene::{SceneFile, column_of};
 
-use crate::inquiry::column_of_end;
 use crate::subject::Outcome;
-use crate::{AnswerError, Cell, ENDS, Sheet, scene_findings, with_ranges};
+use crate::{AnswerError, Cell, Sheet, scene_findings, with_ranges};
 
 /// Fills a sheet for each of some values of a number of the scene, by its name, in a column that
 /// follows the model.
@@ -65,24 +64,6 @@ impl Sheet {
             let is_known = |one: &Finding| one.code == found.code && one.field == found.field;
             if !self.findings.iter().any(is_known) {
                 self.findings.push(found);
-            }
-        }
-    }
-
-    /// Adds beside each stiffness, and each end of its interval, the same over a nominal area
-    /// \[m²\]: `tangent_per_area_N_per_m3`.
-    pub fn add_per_area(&mut self, nominal_area: f64) {
-        for column in (0..self.heads.len()).rev() {
-            let Some(name) = self.heads[column].strip_suffix("_N_per_m") else { continue };
-            let of_end = ENDS.iter().find_map(|end| Some((name.strip_suffix(*end)?, *end)));
-            let head = match of_end {
-                Some((name, end)) => column_of_end(&format!("{name}per_area_N_per_m3"), end),
-                None => format!("{name}_per_area_N_per_m3"),
-            };
-            self.heads.insert(column + 1, head);
-            for row in &mut self.rows {
-                let value = row[column].number().map(|value| value / nominal_area);
-                row.insert(column + 1, value.into());
             }
         }
     }

@@ -1,8 +1,8 @@
 //! A table of values, with what there is to say about them.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use asperity::{Code, ContactError, Finding, Findings};
+use asperity::{Code, ContactError, Finding, Findings, Quantity};
 use serde::{Serialize, Serializer};
 
 /// Rows under the names of their columns, which end with the unit: `force_N`.
@@ -16,6 +16,8 @@ pub struct Sheet {
     pub results: Vec<String>,
     /// Findings, in the order in which they are to be read.
     pub findings: Vec<Finding>,
+    /// The columns whose answers have ends.
+    pub(crate) with_ends: Vec<String>,
 }
 
 /// A name, a number in the unit of its column, or a blank with its reason.
@@ -25,6 +27,8 @@ pub enum Cell {
     Text(Arc<str>),
     /// A number.
     Number(f64),
+    /// A number between the ends of an interval, which [`Sheet::spread`] gives columns.
+    Between(f64, [Option<f64>; 2]),
     /// No value; the reason, where it concerns this cell.
     Blank(Option<Arc<ContactError>>),
 }
@@ -36,7 +40,25 @@ impl Cell {
     /// The number, where the cell has one.
     #[must_use]
     pub fn number(&self) -> Option<f64> {
-        if let Self::Number(number) = self { Some(*number) } else { None }
+        match self {
+            Self::Number(number) | Self::Between(number, _) => Some(*number),
+            _ => None,
+        }
+    }
+
+    /// The ends of an interval, where the cell has them.
+    pub(crate) fn ends(&self) -> [Option<f64>; 2] {
+        if let Self::Between(_, ends) = self { *ends } else { [None; 2] }
+    }
+
+    /// The number and the ends of its interval, converted.
+    pub(crate) fn map(&self, of: impl Fn(f64) -> Option<f64>) -> Self {
+        match (self, self.number().and_then(&of)) {
+            (Self::Between(_, ends), Some(number)) => {
+                Self::Between(number, ends.map(|end| of(end?)))
+            }
+            (_, number) => number.into(),
+        }
     }
 
     /// Why there is no value, where the cell says so.
@@ -74,7 +96,7 @@ impl Serialize for Cell {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Self::Text(text) => serializer.serialize_str(text),
-            Self::Number(number) => serializer.serialize_f64(*number),
+            Self::Number(number) | Self::Between(number, _) => serializer.serialize_f64(*number),
             Self::Blank(_) => serializer.serialize_none(),
         }
     }
@@ -107,6 +129,20 @@ impl Sheet {
         self.rows.push(row);
     }
 
+    /// Gives the ends of intervals columns behind the columns of their answers.
+    pub(crate) fn spread(&mut self) {
+        for head in std::mem::take(&mut self.with_ends) {
+            let Some(column) = self.column(&head) else { continue };
+            let behind = column + 1..column + 1;
+            self.heads.splice(behind.clone(), ENDS.map(|end| column_of_end(&head, end)));
+            for row in &mut self.rows {
+                let ends = row[column].ends().map(Cell::from);
+                row[column] = row[column].number().map_or_else(|| row[column].clone(), Cell::from);
+                row.splice(behind.clone(), ends);
+            }
+        }
+    }
+
     /// Adds a result in a sentence, unless it stands there already.
     pub fn result(&mut self, text: impl Into<String>) {
         let text = text.into();
@@ -136,6 +172,22 @@ impl Sheet {
     pub fn extend(&mut self, findings: Findings) {
         findings.into_iter().for_each(|found| self.add_once(found));
     }
+}
+
+/// The ends of an interval.
+pub const ENDS: [&str; 2] = ["lower", "upper"];
+
+/// The name of a column with an end of another, before the unit of that: `area_lower_m2`,
+/// `separation_lower_m`.
+#[must_use]
+pub fn column_of_end(column: &str, end: &str) -> String {
+    static UNITS: OnceLock<Vec<String>> = OnceLock::new();
+    let unit = |quantity: Quantity| quantity.column().split_off(quantity.to_string().len());
+    let units = UNITS.get_or_init(|| Quantity::ALL.into_iter().map(unit).collect());
+    let units = units.iter().filter(|unit| column.ends_with(&***unit));
+    let unit = units.max_by_key(|unit| unit.len()).map_or("", String::as_str);
+    let (name, unit) = column.split_at(column.len() - unit.len());
+    format!("{name}_{end}{unit}")
 }
 
 /// A note that is a sentence of its own.

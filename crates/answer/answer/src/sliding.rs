@@ -21,7 +21,7 @@ pub(crate) trait Sliding {
     /// The shift of a force.
     fn amplitude_at(&self, force: f64) -> Outcome<f64>;
 
-    /// The force in a steady cycle, as [`PartialSlip::loop_force`].
+    /// The force in a steady cycle on the way back or `forth`.
     fn loop_force(&self, shift: f64, amplitude: f64, forth: bool) -> Outcome<f64> {
         // Both branches are point-symmetric.
         let turned = if forth { -shift } else { shift };
@@ -68,10 +68,6 @@ impl Sliding for PartialSlip {
 
     fn amplitude_at(&self, force: f64) -> Outcome<f64> {
         Ok(PartialSlip::amplitude_at(self, force)?)
-    }
-
-    fn loop_force(&self, shift: f64, amplitude: f64, forth: bool) -> Outcome<f64> {
-        Ok(PartialSlip::loop_force(self, shift, amplitude, forth)?)
     }
 
     fn loss_factor(&self, amplitude: f64) -> Outcome<f64> {

@@ -112,6 +112,17 @@ impl Subject<'_> {
     }
 }
 
+/// Retreats from the closest approach, in a unit.
+pub type Retreats<'r> = (&'r [f64], SeparationUnit);
+
+/// Retreats in metres, with a warning of those that look like another unit.
+pub(crate) fn metres(sheet: &mut Sheet, scene: &Scene, (values, unit): Retreats<'_>) -> Vec<f64> {
+    let sigma = scene.surface.asperity_height_std;
+    sheet.findings.extend(unit_warning("retreat", values, unit, sigma));
+    let metres = if unit == SeparationUnit::Sigma { sigma } else { 1.0 };
+    values.iter().map(|value| metres * value).collect()
+}
+
 /// A warning of values of an unlikely size, by the largest of them; `name` is their option.
 #[must_use]
 pub fn unit_warning(

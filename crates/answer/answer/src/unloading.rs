@@ -1,37 +1,43 @@
 //! A joint that opens from its closest approach.
 
+use asperity::bem::Bem;
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
-use asperity::{At, Code, ContactError, Evaluation, Finding, Scene, SeparationUnit, linspace};
+use asperity::{At, Code, ContactError, Evaluation, Finding, SeparationUnit, linspace};
 
 use crate::blanks::{Blanks, kind};
 use crate::number::rounded;
 use crate::sheet::{note, warning};
-use crate::subject::{OfLaws, Subject, unit_warning};
-use crate::{AnswerError, Sheet};
+use crate::subject::{OfLaws, Outcome, Retreats, Subject, metres};
+use crate::unloading_scan::open_scan;
+use crate::{Sheet, Watch};
 
 /// Number of default retreats.
 const POINTS: usize = 101;
 
-/// Retreats from the closest approach, in a unit.
-pub type Retreats<'r> = (&'r [f64], SeparationUnit);
-
 /// Force, area, stiffness and contacts of a joint by each law as it opens by these retreats, by
-/// default to the end of contact; results have the work of a cycle and the end of contact.
+/// default to the end of contact; results have the work of a cycle and the end of contact. A scan
+/// opens along its own path, by boundary elements.
 ///
 /// # Errors
-/// The errors of [`Joint`], and the reason why nothing opens.
+/// The errors of [`Joint`] or of boundary elements, and the reason why nothing opens.
 pub fn unloading(
     subject: &Subject<'_>,
     laws: &[UnloadingLaw],
     closest: At,
     retreats: Option<Retreats<'_>>,
     sheet: &mut Sheet,
-) -> Result<(), AnswerError> {
-    let with_area = laws.iter().any(|law| has_area(*law));
+    watch: &dyn Watch,
+) -> Outcome {
+    let is_scan = subject.id == Bem::ID;
+    let with_area = is_scan || laws.iter().any(|law| has_area(*law));
     let heads = ["model", "law", "retreat_m", "separation_over_sigma", "force_N", "pressure_Pa"];
     let area: &[&str] = if with_area { &["area_m2"] } else { &[] };
-    sheet.under(&[&heads, area, &["stiffness_N_per_m", "contacts"]]);
+    let contacts: &[&str] = if is_scan { &[] } else { &["contacts"] };
+    sheet.under(&[&heads, area, &["stiffness_N_per_m"], contacts]);
     subject.fill(sheet, |sheet| {
+        if is_scan {
+            return open_scan(subject, closest, retreats, sheet, watch);
+        }
         let (mut openings, mut last, mut found) = (vec![], None, OfLaws::new());
         for joint in subject.joints(laws)? {
             let opening = joint.unloading(closest)?;
@@ -62,14 +68,6 @@ pub fn unloading(
         subject.report_laws(sheet, found);
         Ok(())
     })
-}
-
-/// Retreats in metres, with a warning of those that look like another unit.
-pub(crate) fn metres(sheet: &mut Sheet, scene: &Scene, (values, unit): Retreats<'_>) -> Vec<f64> {
-    let sigma = scene.surface.asperity_height_std;
-    sheet.findings.extend(unit_warning("retreat", values, unit, sigma));
-    let metres = if unit == SeparationUnit::Sigma { sigma } else { 1.0 };
-    values.iter().map(|value| metres * value).collect()
 }
 
 fn has_area(law: UnloadingLaw) -> bool {

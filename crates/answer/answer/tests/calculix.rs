@@ -10,9 +10,7 @@ use std::process::Command;
 use asperity::{
     At, Body, ContactModel, Interface, Model, Quantity, Request, Scene, Surface, Tolerance,
 };
-use asperity_answer::{
-    ConductanceAgainst, Export, Exported, Nodes, Sheet, Silent, Subject, TableFormat, UnitSystem,
-};
+use asperity_answer::{Export, Exported, Nodes, Sheet, Silent, Subject, TableFormat, UnitSystem};
 use asperity_scene::SceneFile;
 
 /// Printed digits of ccx, seven, with which overclosures are differences.
@@ -27,12 +25,7 @@ fn scene() -> Scene {
     Scene::new(interface, Surface::new(2e-4, 2e8, 1e-6), 1e-4)
 }
 
-fn exported(
-    model: &Model,
-    scene: &Scene,
-    error: f64,
-    conductance: Option<ConductanceAgainst>,
-) -> Exported {
+fn exported(model: &Model, scene: &Scene, error: f64, conductance: bool) -> Exported {
     let file = SceneFile::from(scene.clone());
     let tolerance = Tolerance::default();
     let export = Export {
@@ -44,9 +37,8 @@ fn exported(
             max_error: Some(error),
         },
         format: TableFormat::Calculix,
-        units: UnitSystem::MmTonneS,
+        units: UnitSystem::MM_TONNE_S,
         conductance,
-        friction: None,
     };
     export.answer(&mut Sheet::default(), &Silent).unwrap()
 }
@@ -114,7 +106,7 @@ fn ends(results: &str, head: &str) -> Vec<f64> {
 #[test]
 fn a_block_on_a_block_carries_the_force_of_the_model_at_that_clearance() {
     let (model, scene) = ("ke".parse().unwrap(), scene());
-    let table = exported(&model, &scene, 1e-3, None);
+    let table = exported(&model, &scene, 1e-3, false);
     let Some(results) = solved("pressed", &deck(&table.text, "NODE TO SURFACE", "STATIC")) else {
         return;
     };
@@ -167,7 +159,7 @@ fn loaded(interaction: &str) -> String {
 #[test]
 fn faces_pass_a_uniform_pressure() {
     let (model, scene) = ("ke".parse().unwrap(), scene());
-    let table = exported(&model, &scene, 1e-2, None);
+    let table = exported(&model, &scene, 1e-2, false);
     assert!(table.text.contains("TYPE=ELEMENT"));
     let Some(results) = solved("loaded", &loaded(&table.text)) else { return };
     let last = results.rsplit("stresses").next().unwrap();
@@ -185,7 +177,7 @@ fn faces_pass_a_uniform_pressure() {
 #[test]
 fn heat_flows_between_the_blocks_as_the_model_says_at_that_pressure() {
     let (model, scene): (Model, _) = ("ke".parse().unwrap(), scene());
-    let text = exported(&model, &scene, 1e-2, Some(ConductanceAgainst::Pressure)).text;
+    let text = exported(&model, &scene, 1e-2, true).text;
     let conductance = &text[text.find("** thermal conductance").unwrap()..];
     let bound = conductance.split("largest relative error ").nth(1).unwrap();
     let bound: f64 = bound.split(',').next().unwrap().parse().unwrap();

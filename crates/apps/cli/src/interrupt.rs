@@ -19,12 +19,8 @@ pub fn requested() -> bool {
     REQUESTED.load(Ordering::Relaxed)
 }
 
-/// Ends the program after an interrupted list, whose results so far are written.
-pub fn end(done: usize, all: usize) -> ! {
-    end_with(&format!("{done} of {all} loads are solved"))
-}
-
-/// Ends the program after any other interrupted list; `state` describes the rows that are done.
+/// Ends the program after an interrupted list, whose results so far are written; `state` describes
+/// the rows that are done.
 pub fn end_with(state: &str) -> ! {
     print_error(&format!("interrupted: {state}"));
     process::exit(ENDED)

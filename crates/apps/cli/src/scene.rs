@@ -4,14 +4,15 @@ use std::path::Path;
 
 use anyhow::{Context, Error, Result};
 use asperity::bem::{Bem, BemOptions, Continuation};
-use asperity::{Described, Findings, Model, Severity, Tolerance};
+use asperity::{At, Described, Findings, Model, Severity, Tolerance};
 use asperity_answer::{
-    AnswerError, Sheet, Subject, one_model, one_or_usual, scene_findings, use_asperities,
+    AnswerError, Sheet, Subject, one_model, one_or_usual, scene_findings, solve, use_asperities,
 };
 use asperity_scene::SceneFile;
 
 use crate::input::args::EndArgs;
 use crate::input::destinations;
+use crate::interrupt::Terminal;
 use crate::output::{self, print_results, show};
 
 /// A scene file and its name.
@@ -30,7 +31,7 @@ impl LoadedScene {
     /// of the models uses asperities; otherwise a scan needs none.
     pub fn load(path: &Path, ids: &[String]) -> Result<Self> {
         if !use_asperities(ids) {
-            return Self::load_scan(path, BemOptions::default(), false);
+            return Self::load_scan(path, BemOptions::default());
         }
         let scene = Self::open(path)?;
         scene.report_scene(true);
@@ -38,13 +39,12 @@ impl LoadedScene {
     }
 
     /// Reads the file of a scan, which may have no asperities and, with a periodic boundary, is
-    /// declared periodic whatever the file says; reports what is unusual, on its asperities if they
-    /// are used.
-    pub fn load_scan(path: &Path, given: BemOptions, asperities: bool) -> Result<Self> {
+    /// declared periodic whatever the file says; reports what is unusual, but for its asperities.
+    pub fn load_scan(path: &Path, given: BemOptions) -> Result<Self> {
         let is_periodic = given.boundary == Some(Continuation::Periodic);
         let file = asperity_scene::load_scan(path, is_periodic)?.pressing(given);
         let scene = Self { file, name: path.display().to_string() }.kept()?;
-        scene.report_scene(asperities);
+        scene.report_scene(false);
         Ok(scene)
     }
 
@@ -53,6 +53,13 @@ impl LoadedScene {
         let (file, note) = self.file.taken_at(&end.at)?;
         show(&file.accepted(note.into_iter().collect()));
         Ok(Self { file, ..self })
+    }
+
+    /// Solves the scan at these loads, as an input of answers.
+    pub fn solve(&mut self, at: &[At]) -> Result<()> {
+        let solve = |_: &mut Sheet| solve(&self.file, at, &Terminal::default());
+        self.file.solved = self.answer(solve)?.1;
+        Ok(())
     }
 
     /// The boundary elements of the scene's scan.

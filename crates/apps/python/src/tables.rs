@@ -1,9 +1,7 @@
 //! Contact tables for finite-element codes, and sheets as tables of the package.
 
 use asperity::Severity;
-use asperity_answer::{
-    Cell, ConductanceAgainst, Export, Nodes, Sheet, Silent, Subject, TableFormat, UnitSystem,
-};
+use asperity_answer::{Cell, Export, Nodes, Sheet, Silent, Subject, TableFormat, UnitSystem};
 use asperity_scene as scene;
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -47,7 +45,7 @@ pub(crate) fn warn_of(py: Python<'_>, file: &scene::SceneFile, sheet: &Sheet) ->
 }
 
 /// A table between two places, with nodes at equal distances or, if an error is given, as many as
-/// that error needs; conductance and friction are added to the text, if given.
+/// that error needs; the conductance is added to the text, if requested.
 #[pyfunction]
 pub(crate) fn contact_table<'py>(
     py: Python<'py>,
@@ -56,7 +54,7 @@ pub(crate) fn contact_table<'py>(
     ends: (Axis, f64, f64),
     spacing: (usize, Option<f64>, f64),
     form: (&str, &str),
-    beside: (Option<String>, Option<f64>),
+    conductance: bool,
 ) -> PyResult<Contact<'py>> {
     let (model, file) = (engine.on(&scene.0)?, &scene.0);
     let format = form.0.parse::<TableFormat>();
@@ -67,18 +65,12 @@ pub(crate) fn contact_table<'py>(
     let tolerance = tolerance(rtol)?;
     let (axis, first, last) = ends;
     let ends = [first, last].map(|end| axis.at(end, file.spec.separation_from));
-    let (conductance, friction) = beside;
-    let against = |name: String| {
-        let found = name.parse::<ConductanceAgainst>();
-        found.map_err(|needed| value_error(format!("conductance is {name:?}: {needed}")))
-    };
     let export = Export {
         subject: Subject { file, name: "", id: "", model: &model, tolerance },
         nodes: Nodes::Range { ends, count, log: false, max_error },
         format,
         units,
-        conductance: conductance.map(against).transpose()?,
-        friction,
+        conductance,
     };
     let mut sheet = Sheet::default();
     let found = py.detach(|| export.answer(&mut sheet, &Silent)).map_err(value_error)?;

@@ -246,14 +246,12 @@ mod tests {
                 Inquiry::new(file, best, request.clone()).answer(sheet, &Silent)
             };
             asperity_answer::with_ranges(&file, &mut drawn, fill).unwrap();
-            drawn.add_per_area(file.scene.nominal_area);
             let export = Export {
                 subject: Subject { file: &file, name: "", id: BEST, model: &best, tolerance },
                 nodes: Nodes::Loads(&at),
                 format: TableFormat::Csv,
-                units: UnitSystem::Si,
-                conductance: None,
-                friction: None,
+                units: UnitSystem::SI,
+                conductance: false,
             };
             let mut desk = Desk::default();
             call(&mut desk, json!({ "call": "show", "text": text }));
@@ -289,8 +287,8 @@ mod tests {
                     let row = &table.rows[pressures.len() - 1 - k];
                     let exported: Vec<_> = row.iter().map(Cell::number).collect();
                     let of = |head| of(&drawn, head);
-                    let wanted =
-                        [of("separation_m"), of("pressure_Pa"), of("tangent_per_area_N_per_m3")];
+                    let tangent = of("tangent_N_per_m").map(|of| of / file.scene.nominal_area);
+                    let wanted = [of("separation_m"), of("pressure_Pa"), tangent];
                     assert_eq!(exported, wanted, "{path:?} {pressure}");
                 }
             }

@@ -20,9 +20,8 @@ pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Resu
     let ends = [0.2, 1.0].map(|position| At::Pressure(span.pressure(position)));
     let subject =
         Subject { file, name: "", id: "", model: &model, tolerance: Tolerance::default() };
-    let (max_error, conductance, friction) = (Some(ERROR), None, None);
-    let nodes = Nodes::Range { ends, count: 2, log: false, max_error };
-    let export = Export { subject, nodes, format, units, conductance, friction };
+    let nodes = Nodes::Range { ends, count: 2, log: false, max_error: Some(ERROR) };
+    let export = Export { subject, nodes, format, units, conductance: false };
     let text = export.answer(&mut Sheet::default(), &Silent).map_err(Refusal::new)?.text;
     let extension = if format == TableFormat::Csv { "csv" } else { "inp" };
     // Of ranges, tables are in the middle.

@@ -7,7 +7,7 @@ use asperity::{
 };
 
 use super::text::filled;
-use super::{Export, Nodes, UnitSystem};
+use super::{Export, Nodes};
 use crate::number::rounded;
 use crate::subject::Outcome;
 use crate::{Cell, Sheet};
@@ -32,7 +32,7 @@ const OF_ONE: [(&str, &str); 4] = [
 impl Export<'_> {
     /// The table at films of equal distances, in SI units; fills a sheet with the same columns.
     pub(super) fn film_text(&self, sheet: &mut Sheet) -> Outcome<String> {
-        if self.units != UnitSystem::Si {
+        if self.units.length != "m" {
             return Err("a table of films is in SI units".into());
         }
         let Nodes::Range { ends, count, max_error: None, .. } = self.nodes else {

@@ -1,10 +1,10 @@
-//! Contact tables for finite-element programs: pressure against clearance, with conductance and
-//! friction beside it.
+//! Contact tables for finite-element programs: pressure against clearance, with conductance beside
+//! it.
 
+mod conductance;
 mod cubic;
 mod error_bound;
 mod film;
-mod interaction;
 mod kinks;
 mod origin;
 mod table;
@@ -34,15 +34,6 @@ pub enum TableFormat {
     Film,
 }
 
-/// The variable of a table of conductance.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ConductanceAgainst {
-    /// The contact pressure.
-    Pressure,
-    /// The clearance, where the code knows such a table.
-    Clearance,
-}
-
 /// How a finite-element code reads the space between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Interpolation {
@@ -68,26 +59,17 @@ impl TableFormat {
         }
     }
 
-    /// Refuses what the format has no table for, before any is made.
+    /// Refuses conductance in a format that has none, before any table is made.
     ///
     /// # Errors
-    /// Conductance and friction in formats other than Abaqus and CalculiX, and conductance against
-    /// clearance in CalculiX.
-    pub fn check(
-        self,
-        conductance: Option<ConductanceAgainst>,
-        friction: Option<f64>,
-    ) -> Result<(), String> {
-        let of_solid = matches!(self, Self::Abaqus | Self::Calculix);
-        let (what, known) = match (conductance, friction) {
-            (Some(_), _) if !of_solid => ("conductance", "abaqus or calculix"),
-            (Some(ConductanceAgainst::Clearance), _) if self == Self::Calculix => {
-                ("conductance against clearance", "abaqus")
+    /// Conductance in formats other than Abaqus and CalculiX.
+    pub fn check(self, conductance: bool) -> Result<(), String> {
+        match self {
+            Self::Csv | Self::Film if conductance => {
+                Err(format!("{} has no conductance; use abaqus or calculix", self.name()))
             }
-            (_, Some(_)) if !of_solid => ("friction", "abaqus or calculix"),
-            _ => return Ok(()),
-        };
-        Err(format!("{} has no {what}; use {known}", self.name()))
+            _ => Ok(()),
+        }
     }
 
     fn interpolation(self) -> Interpolation {
@@ -104,26 +86,6 @@ impl FromStr for TableFormat {
             let names = Self::ALL.map(Self::name).join(", ");
             format!("one of {names} was required")
         })
-    }
-}
-
-impl ConductanceAgainst {
-    /// All variables.
-    pub const ALL: [Self; 2] = [Self::Pressure, Self::Clearance];
-
-    /// The name of the variable.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        if self == Self::Pressure { "pressure" } else { "clearance" }
-    }
-}
-
-impl FromStr for ConductanceAgainst {
-    type Err = String;
-
-    fn from_str(name: &str) -> Result<Self, String> {
-        let found = Self::ALL.into_iter().find(|against| against.name() == name);
-        found.ok_or_else(|| "\"pressure\" or \"clearance\" was required".into())
     }
 }
 
@@ -156,10 +118,8 @@ pub struct Export<'a> {
     pub format: TableFormat,
     /// Its units.
     pub units: UnitSystem,
-    /// Adds the thermal conductance.
-    pub conductance: Option<ConductanceAgainst>,
-    /// Adds friction with this coefficient, and the stiffness in stick.
-    pub friction: Option<f64>,
+    /// Whether the thermal conductance is added.
+    pub conductance: bool,
 }
 
 /// A table as a file.
@@ -182,7 +142,7 @@ impl Export<'_> {
     /// error that no table meets, and what the format has no room for.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<Exported, AnswerError> {
         sheet.under(&[&["clearance_m", "pressure_Pa", "tangent_Pa_per_m"]]);
-        self.format.check(self.conductance, self.friction)?;
+        self.format.check(self.conductance)?;
         self.subject.file.need_flat()?;
         watch.progress("nodes");
         let of_model = |error: AnswerError| error.of_model(self.subject.id);
@@ -190,15 +150,12 @@ impl Export<'_> {
             return Ok(Exported { text: self.film_text(sheet).map_err(of_model)?, errors: None });
         }
         let table = ContactTable::new(self).map_err(of_model)?;
-        if table.errors.is_none() && (self.conductance.is_some() || self.friction.is_some()) {
-            return Err("boundary elements at some loads give no lines of conductance and friction; take conductance and tangential stiffness there from a curve, or export a model".into());
+        if table.errors.is_none() && self.conductance {
+            return Err("boundary elements at some loads give no lines of conductance; take conductance there from a curve, or export a model".into());
         }
         let mut text = table.text(self)?;
-        if let Some(against) = self.conductance {
-            text += &table.conductance_text(self, against).map_err(of_model)?;
-        }
-        if let Some(friction) = self.friction {
-            text += &table.friction_text(self, friction).map_err(of_model)?;
+        if self.conductance {
+            text += &table.conductance_text(self).map_err(of_model)?;
         }
         for node in &table.nodes {
             let clearance = Separation::sigmas(node.separation);

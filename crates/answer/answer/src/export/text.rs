@@ -14,8 +14,7 @@ const CURVE: usize = 200;
 impl ContactTable {
     /// The table in its format, with clearances from the plane of the scene.
     pub(crate) fn text(&self, export: &Export<'_>) -> Outcome<String> {
-        let units = export.units.units();
-        let heat = export.conductance.is_some();
+        let (units, heat) = (export.units, export.conductance);
         let (form, sign) = match export.format {
             TableFormat::Csv | TableFormat::Film => (include_str!("forms/csv.txt"), "#"),
             TableFormat::Abaqus => (include_str!("forms/abaqus.txt"), "**"),
@@ -75,7 +74,7 @@ impl ContactTable {
     /// Clearances and pressures for straight lines, the lightest first: from where the tangent of
     /// the first node reaches 0.
     fn lines(&self, export: &Export<'_>) -> Outcome<Vec<(f64, f64)>> {
-        let pascals = export.units.units().pascals;
+        let pascals = export.units.pascals;
         let nodes = self.nodes.iter().rev().map(|node| (node.separation, node.pressure));
         let pair = |(s, pressure)| Ok((export.length(s)?, pressure / pascals));
         [(self.cut_off, 0.0)].into_iter().chain(nodes).map(pair).collect()
@@ -86,7 +85,7 @@ impl Export<'_> {
     /// A separation over σ_z as a length, from the scene's own plane, in the units of the table.
     pub(crate) fn length(&self, sigmas: f64) -> Result<f64, ContactError> {
         let metres = self.subject.place(Separation::sigmas(sigmas), SeparationUnit::Metres)?;
-        Ok(metres * self.units.units().per_metre)
+        Ok(metres * self.units.per_metre)
     }
 }
 

@@ -2,20 +2,10 @@
 
 use std::str::FromStr;
 
-/// A system of units that finite-element models are made in. Forces are in N in all of them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
-pub enum UnitSystem {
-    /// m, Pa, W.
-    #[default]
-    Si,
-    /// mm, N, MPa; with masses in tonnes and seconds, so that powers are in mW (N mm/s).
-    MmTonneS,
-}
-
-/// What a system is made of. Both ways numbers are changed by powers of ten above 1, which are
-/// exact.
-pub(crate) struct Units {
+/// A system of units that finite-element models are made in. Forces are in N in all of them, and
+/// numbers are changed by powers of ten above 1, which are exact both ways.
+#[derive(Debug, Clone, Copy)]
+pub struct UnitSystem {
     /// Lengths in a metre.
     pub(crate) per_metre: f64,
     /// The pressure \[Pa\].
@@ -30,34 +20,30 @@ pub(crate) struct Units {
 }
 
 impl UnitSystem {
-    pub(crate) fn units(self) -> Units {
-        match self {
-            Self::Si => Units {
-                per_metre: 1.0,
-                pascals: 1.0,
-                watts: 1.0,
-                length: "m",
-                pressure: "Pa",
-                conductance: "W/(m2 K)",
-                converted: [""; 2],
-            },
-            Self::MmTonneS => Units {
-                per_metre: 1e3,
-                pascals: 1e6,
-                watts: 1e3,
-                length: "mm",
-                pressure: "MPa",
-                conductance: "mW/(mm2 K)",
-                converted: [
-                    "units: mm, N, MPa (tonne, s), converted from SI: 1 m = 1e3 mm, 1 Pa = 1e-6 MPa",
-                    "1 W/(m2 K) = 1e-3 mW/(mm2 K): power is in mW (N mm/s), as conductivities in mW/(mm K) are",
-                ],
-            },
-        }
-    }
-}
+    /// m, Pa, W.
+    pub const SI: Self = Self {
+        per_metre: 1.0,
+        pascals: 1.0,
+        watts: 1.0,
+        length: "m",
+        pressure: "Pa",
+        conductance: "W/(m2 K)",
+        converted: [""; 2],
+    };
+    /// mm, N, MPa; with masses in tonnes and seconds, so that powers are in mW (N mm/s).
+    pub const MM_TONNE_S: Self = Self {
+        per_metre: 1e3,
+        pascals: 1e6,
+        watts: 1e3,
+        length: "mm",
+        pressure: "MPa",
+        conductance: "mW/(mm2 K)",
+        converted: [
+            "units: mm, N, MPa (tonne, s), converted from SI: 1 m = 1e3 mm, 1 Pa = 1e-6 MPa",
+            "1 W/(m2 K) = 1e-3 mW/(mm2 K): power is in mW (N mm/s), as conductivities in mW/(mm K) are",
+        ],
+    };
 
-impl Units {
     /// A pressure over a length, given in Pa/m.
     pub(crate) fn slope(&self, pascals_per_metre: f64) -> f64 {
         pascals_per_metre / (self.pascals * self.per_metre)
@@ -78,8 +64,8 @@ impl FromStr for UnitSystem {
     /// Reads `SI`, `mm-N-MPa` and, the same, `mm-tonne-s`, in any case.
     fn from_str(name: &str) -> Result<Self, String> {
         match name.trim().to_lowercase().as_str() {
-            "si" => Ok(Self::Si),
-            "mm-n-mpa" | "mm-tonne-s" => Ok(Self::MmTonneS),
+            "si" => Ok(Self::SI),
+            "mm-n-mpa" | "mm-tonne-s" => Ok(Self::MM_TONNE_S),
             _ => Err(format!("{name:?} is none of SI, mm-N-MPa, mm-tonne-s")),
         }
     }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use asperity::{At, Code, Quantity, Severity, Tolerance};
-use asperity_answer::{Sheet, lines, scene_findings, solve, title, with_ranges};
+use asperity_answer::{Sheet, lines, scene_findings, title, with_ranges};
 use clap::Args;
 
 use crate::input::args::{OutputArgs, approaches, check_approaches, loads};
@@ -64,7 +64,7 @@ impl Answer {
         let at = loads(&self.place.loads, &self.place.pressures);
         let at: Vec<At> = at.chain(approaches(&self.place.approaches)).collect();
         if self.solve {
-            scene.file.solved = solve(&scene.file, &at, &Terminal::default())?;
+            scene.solve(&at)?;
         }
         let file = &scene.file;
         let asked = asperity_answer::Answer::new(file, &self.quantities, at, Tolerance::default());

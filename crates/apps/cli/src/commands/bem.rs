@@ -1,16 +1,16 @@
-//! `asperity bem`: boundary elements on the scan of a scene, and models beside them.
+//! `asperity bem`: boundary elements on the scan of a scene.
 
 use std::path::PathBuf;
 
 use anyhow::{Error, Result};
 use asperity::Quantity;
 use asperity::bem::{Bem, LoadCase, Solution};
-use asperity_answer::{AnswerError, Press, Sheet, compared, sealing, truth};
+use asperity_answer::{AnswerError, Press, sealing};
 use asperity_plot::draw_map;
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
-use crate::input::args::{EndArgs, OutputArgs, PressArgs, file_ending, listed_model_id, svg_file};
+use crate::input::args::{EndArgs, OutputArgs, PressArgs, file_ending, svg_file};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load, pressure};
 use crate::input::usage_error;
@@ -31,14 +31,6 @@ pub struct BemCommand {
     end: EndArgs,
     #[command(flatten)]
     places: Places,
-    /// Compare models with boundary elements: area, mean gap and, unless --quantity names others,
-    /// the stiffness of first loading, with deviations
-    #[arg(long, conflicts_with_all = ["map", "picture", "flow_picture"])]
-    compare: bool,
-    /// Models to compare [default: all that the scene allows, with random asperities and Persson]
-    #[arg(long = "model", value_name = "M", value_delimiter = ',', value_parser = listed_model_id)]
-    #[arg(requires = "compare")]
-    models: Vec<String>,
     #[command(flatten)]
     press: PressArgs,
     /// Add tangent (or stiffness, the same: the slope of first loading; where contacts yield the
@@ -46,8 +38,7 @@ pub struct BemCommand {
     /// joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
     /// electrical-conductance, each also with -per-area at its end), flows through the gap
     /// (hydraulic-gap-x, hydraulic-gap-y, effective-medium-gap), the leak of a liquid or gas
-    /// through [seal] of the scene (leak), or any other that follows from load and area; with
-    /// --compare tangent, unloading-stiffness or both
+    /// through [seal] of the scene (leak), or any other that follows from load and area
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
     /// Samples of --sealing-pressure, the scan and surfaces of its spectrum and heights [default:
@@ -86,7 +77,7 @@ struct Places {
     pressures: Vec<Numbers>,
     /// Pressures at which the last open path along x and along y closes, over several samples of
     /// the surface: lowest, middle and highest, since one scan is one of many
-    #[arg(long, conflicts_with_all = ["compare", "quantities", "refine", "map", "flow_picture"])]
+    #[arg(long, conflicts_with_all = ["quantities", "refine", "map", "flow_picture"])]
     sealing_pressure: bool,
     /// Loads on the nominal area, in N
     #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load))]
@@ -105,8 +96,8 @@ impl Places {
 
 impl BemCommand {
     pub fn run(self) -> Result<()> {
-        let scene = LoadedScene::load_scan(&self.scene, self.press.options(), self.compare)?
-            .taken_at(&self.end)?;
+        let scene =
+            LoadedScene::load_scan(&self.scene, self.press.options())?.taken_at(&self.end)?;
         let pressures = self.places.pressures(scene.file.scene.nominal_area);
         for (name, path) in [("--picture", &self.picture), ("--flow-picture", &self.flow_picture)] {
             if path.is_some() && pressures.len() > 1 {
@@ -132,18 +123,10 @@ impl BemCommand {
             ..Press::new(file, &bem, &given, &self.quantities)
         };
         let watch = terminal()?;
-        let fill = |sheet: &mut Sheet| match self.compare {
-            true => {
-                let scan = (file, name, &bem);
-                let quantities = compared(&self.quantities)?;
-                truth(scan, &self.models, &pressures, &quantities, self.refine, sheet, &watch)
-                    .map(|()| vec![])
-            }
-            false => press.solve(sheet, &watch),
-        };
         // The reason alone: it names the scene where that is meant.
         let reason = |error: AnswerError| Error::msg(error.to_string());
-        let (sheet, solutions) = scene.answer(|sheet| fill(sheet).map_err(reason))?;
+        let (sheet, solutions) =
+            scene.answer(|sheet| press.solve(sheet, &watch).map_err(reason))?;
         drop(watch);
         if !sheet.rows.is_empty() {
             self.output.write(&sheet)?;
@@ -157,7 +140,8 @@ impl BemCommand {
             }
         }
         if sheet.rows.is_empty() || interrupt::requested() {
-            interrupt::end(sheet.rows.len(), pressures.len());
+            let (done, all) = (sheet.rows.len(), pressures.len());
+            interrupt::end_with(&format!("{done} of {all} loads are solved"));
         }
         Ok(())
     }

@@ -7,7 +7,7 @@ use asperity::bem::Bem;
 use asperity::{At, ContactModel, Quantity, Request, SeparationUnit, linspace};
 use asperity_answer::{
     AnswerError, Beside, Inquiry, Sheet, at_values, best_and_nearest, models, one_model, patch,
-    solve, with_ranges,
+    with_ranges,
 };
 use asperity_scene::{SceneFile, column_of};
 use clap::Args;
@@ -56,9 +56,6 @@ pub struct Curve {
     /// Add the columns film_m and lambda also at loads and separations
     #[arg(long, conflicts_with_all = ["plan", "pull_off"])]
     film_columns: bool,
-    /// Add each stiffness over the nominal area (N/m3) beside it, as solvers and ultrasound have it
-    #[arg(long, conflicts_with_all = ["plan", "pull_off"])]
-    per_area: bool,
     /// Give every separation that carries the load, instead of the largest alone
     #[arg(long, requires = "given")]
     all: bool,
@@ -139,7 +136,7 @@ impl Curve {
             request.quantities.retain(|quantity| *quantity != Quantity::Approach);
         }
         if self.solve {
-            scene.file.solved = solve(&scene.file, &request.at, &Terminal::default())?;
+            scene.solve(&request.at)?;
         }
         let ids = match &self.asked.models[..] {
             [] => best_and_nearest(&scene.file, &request)?,
@@ -217,11 +214,7 @@ impl Curve {
         let films = self.film_columns || self.asked.is_of_film();
         let inquiry =
             Inquiry { beside, all, at_defaults, films, ..Inquiry::new(file, models, request) };
-        inquiry.answer(sheet, &Terminal::default())?;
-        if self.per_area {
-            sheet.add_per_area(file.scene.nominal_area);
-        }
-        Ok(())
+        inquiry.answer(sheet, &Terminal::default())
     }
 
     fn print_plan(&self, path: &Path) -> Result<()> {

@@ -4,9 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Error, Result};
 use asperity::{At, Separation, Tolerance};
-use asperity_answer::{
-    AnswerError, ConductanceAgainst, Export, Nodes, Sheet, TableFormat, UnitSystem, solve,
-};
+use asperity_answer::{AnswerError, Export, Nodes, Sheet, TableFormat, UnitSystem};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
@@ -14,7 +12,7 @@ use clap::error::ErrorKind;
 use crate::input::args::{EndArgs, model_id};
 use crate::input::distances::{Length, metre, warn_unit};
 use crate::input::lists::{Span, range, range_or_list};
-use crate::input::numbers::{friction, load, number, pressure, share_above_0};
+use crate::input::numbers::{load, number, pressure, share_above_0};
 use crate::input::{usage_error, valid};
 use crate::interrupt::Terminal;
 use crate::output;
@@ -46,13 +44,9 @@ pub struct ExportCommand {
     /// example 0.01
     #[arg(long, value_name = "X", value_parser = share_above_0)]
     max_error: Option<f64>,
-    /// For abaqus and calculix: add the thermal conductance, against pressure or, for abaqus,
-    /// clearance
-    #[arg(long, value_name = "AGAINST", value_parser = against())]
-    conductance: Option<ConductanceAgainst>,
-    /// For abaqus and calculix: add friction with this coefficient and the stiffness in stick
-    #[arg(long, value_name = "MU", value_parser = friction)]
-    friction: Option<f64>,
+    /// For abaqus and calculix: add the thermal conductance against pressure
+    #[arg(long)]
+    conductance: bool,
     /// Units of the table: SI, or for models in mm mm-N-MPa (or mm-tonne-s, the same; powers
     /// in mW)
     #[arg(long, value_name = "SYSTEM", default_value = "SI")]
@@ -98,12 +92,6 @@ fn form() -> impl TypedValueParser<Value = TableFormat> {
     PossibleValuesParser::new(values).try_map(|name| name.parse())
 }
 
-/// The variables of conductance.
-fn against() -> impl TypedValueParser<Value = ConductanceAgainst> {
-    let names = ConductanceAgainst::ALL.map(ConductanceAgainst::name);
-    PossibleValuesParser::new(names).try_map(|name| name.parse())
-}
-
 impl ExportCommand {
     pub fn run(self) -> Result<()> {
         let Ends { separation, film, lambda, load, pressure } = self.ends;
@@ -124,11 +112,11 @@ impl ExportCommand {
             };
             usage_error("export", ErrorKind::MissingRequiredArgument, text);
         }
-        valid("export", self.format.check(self.conductance, self.friction));
+        valid("export", self.format.check(self.conductance));
         let scene = LoadedScene::load(&self.scene, std::slice::from_ref(&self.model))?;
         let mut scene = scene.taken_at(&self.end)?;
         if self.solve {
-            scene.file.solved = solve(&scene.file, &listed, &Terminal::default())?;
+            scene.solve(&listed)?;
         }
         let model = scene.model(Some(&self.model))?;
         if let Some(distances) = separation {
@@ -154,7 +142,6 @@ impl ExportCommand {
             format: self.format,
             units: self.units,
             conductance: self.conductance,
-            friction: self.friction,
         };
         let watch = Terminal::default();
         let fill = |sheet: &mut Sheet| match export.answer(sheet, &watch) {

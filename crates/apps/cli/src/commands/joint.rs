@@ -6,7 +6,7 @@ use anyhow::Result;
 use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
 use asperity::{At, Described, Model, SeparationUnit, Tolerance};
-use asperity_answer::{Amplitude, Sheet, Slip, history, of_joint, unloading, unloading_scan};
+use asperity_answer::{Amplitude, Sheet, Slip, history, of_joint, unloading};
 use asperity_plot::draw_map;
 use clap::Args;
 use clap::error::ErrorKind;
@@ -157,10 +157,7 @@ impl Joint {
         };
         let retreats = self.retreat.as_ref().map(|list| (&list.value[..], list.unit));
         let watch = terminal()?;
-        let fill = |sheet: &mut Sheet| match is_scan {
-            true => unloading_scan(&subject, closest, retreats, sheet, &watch),
-            false => unloading(&subject, &laws, closest, retreats, sheet),
-        };
+        let fill = |sheet: &mut _| unloading(&subject, &laws, closest, retreats, sheet, &watch);
         let (sheet, ()) = scene.answer(fill)?;
         drop(watch);
         let columns = ["force_N", "area_m2", "stiffness_N_per_m"];

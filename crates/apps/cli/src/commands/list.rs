@@ -3,7 +3,7 @@
 use anyhow::{Result, ensure};
 use asperity::bem::Bem;
 use asperity::{Body, Citation, Code, Described, Model, Quantity, nearest_hint, nearest_name};
-use asperity_answer::{Cell, Sheet};
+use asperity_answer::{Cell, Sheet, grouped};
 use asperity_scene::{BODY, Field, Material, column_of};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -92,28 +92,23 @@ fn all() -> Vec<Listed> {
     Model::all().into_iter().map(Listed::from).chain([bem]).collect()
 }
 
+/// The columns of models.
+const MODELS: [&str; 8] =
+    ["model", "name", "year", "authors", "valid_for", "title", "equations", "variant"];
+
 fn models(word: &str, narrow: bool) -> Result<Sheet> {
-    let mut sheet = Sheet::default();
+    let mut sheet = Sheet::new(&MODELS[..if narrow { NARROW } else { MODELS.len() }]);
     for Listed { id, name, source, valid_for, variant } in like(word)? {
         if let Some(text) = variant.last().filter(|_| narrow) {
             // Of models on other asperities, their ending: it differs in the same way for all.
             let ending = id.strip_prefix(source.id).filter(|ending| !ending.is_empty());
             sheet.result(format!("{}: {text}", ending.unwrap_or(&id)));
         }
-        let cells: &[(&str, &str)] = &[
-            ("model", &id),
-            ("name", &name),
-            ("year", &source.year.to_string()),
-            ("authors", source.authors),
-            ("valid_for", valid_for),
-            ("title", source.title),
-            ("equations", &source.provenance.to_string()),
-            ("variant", &variant.join("; ")),
-        ];
-        let shown = if narrow { &cells[..NARROW] } else { cells };
-        let (heads, row): (Vec<&str>, Vec<&str>) = shown.iter().copied().unzip();
-        sheet.under(&[&heads]);
-        sheet.add(&row, [Cell::BLANK; 0]);
+        let (year, equations) = (source.year.to_string(), source.provenance.to_string());
+        let variant = variant.join("; ");
+        let Citation { authors, title, .. } = source;
+        let cells = [&*id, &name, &year, authors, valid_for, title, &equations, &variant];
+        sheet.add(&cells[..sheet.heads.len()], [Cell::BLANK; 0]);
     }
     Ok(sheet)
 }
@@ -128,17 +123,9 @@ const PROGRAM: &str = concat!(
 
 /// The entry of the program, and one for each source, under the ids of the models that it is for.
 fn sources(word: &str) -> Result<Sheet> {
-    let mut entries: Vec<(String, Vec<String>)> = vec![];
-    for Listed { id, source, .. } in like(word)? {
-        let entry = source.bibtex();
-        match entries.iter_mut().find(|(known, _)| *known == entry) {
-            Some((_, ids)) => ids.push(id),
-            None => entries.push((entry, vec![id])),
-        }
-    }
     let mut sheet = Sheet::new(&["entry"]);
     sheet.add(&[PROGRAM], [Cell::BLANK; 0]);
-    for (entry, ids) in entries {
+    for (entry, ids) in grouped(like(word)?.into_iter().map(|one| (one.source.bibtex(), one.id))) {
         // Text between entries is a comment.
         sheet.add(&[&format!("{}\n{entry}", ids.join(", "))], [Cell::BLANK; 0]);
     }

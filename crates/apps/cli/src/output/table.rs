@@ -77,11 +77,7 @@ fn aligned(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
 }
 
 fn text(cell: &Cell, number: fn(f64) -> String) -> String {
-    match cell {
-        Cell::Text(text) => text.to_string(),
-        Cell::Number(value) => number(*value),
-        Cell::Blank(_) => String::new(),
-    }
+    cell.number().map_or_else(|| cell.text().into(), number)
 }
 
 /// A field of a csv, in quotes where it must be.

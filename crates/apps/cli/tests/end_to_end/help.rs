@@ -24,7 +24,7 @@ fn the_examples_of_every_help_text_work_when_pasted() {
         let (_, examples) = help.split_once("Examples:\n").expect("examples");
         let pasted: Vec<&str> = examples.lines().filter(|l| l.starts_with("  asperity ")).collect();
         assert!(!pasted.is_empty(), "{help}");
-        let is_slow = |line: &&str| line.contains(" --all") || line.contains(" --compare ");
+        let is_slow = |line: &&str| line.contains(" --all");
         for line in pasted.into_iter().filter(|line| is_long() || !is_slow(line)) {
             let run = sh(&bench, line);
             assert_eq!(run.code, Some(0), "{line}\n{}", run.messages);

@@ -161,7 +161,7 @@ def contact_table(
     ends: tuple[str, _Float, _Float],
     spacing: tuple[int, _Float | None, _Float],
     form: tuple[str, str],
-    beside: tuple[str | None, _Float | None],
+    conductance: bool,
 ) -> tuple[dict[str, _Floats], float, float, str]: ...
 
 @final

@@ -48,8 +48,7 @@ def export(
     max_error: float | None = None,
     separation_unit: str = "asperity_height_std",
     rtol: float = 1e-10,
-    conductance: str | None = None,
-    friction: float | None = None,
+    conductance: bool = False,
     units: str = "SI",
 ) -> ContactTable:
     """Pressure over clearance for a finite-element code, from one separation, load [N] or pressure
@@ -57,9 +56,7 @@ def export(
     between them within a relative ``max_error``.
 
     The format is "csv" (for cubic interpolation), or "abaqus" or "calculix" (both for linear
-    interpolation). For "abaqus" and "calculix"
-    ``conductance="pressure"`` (or, in abaqus, "clearance") adds the thermal conductance, and
-    ``friction`` a coefficient of friction with the stick stiffness at the largest pressure. The text
+    interpolation), to which ``conductance`` adds the thermal conductance against pressure. The text
     is in ``units`` "SI" or "mm-N-MPa" (also named "mm-tonne-s", with power in mW).
 
     >>> import asperity
@@ -67,9 +64,6 @@ def export(
     >>> table = asperity.export("ke", scene, "abaqus", load=(1, 1000), max_error=0.01)
     >>> "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR" in table.text
     True
-    >>> table = asperity.export("ke", scene, "abaqus", load=(1, 1000), nodes=30, friction=0.2)
-    >>> table.text.splitlines()[-2:]
-    ['*FRICTION, ELASTIC SLIP=6.53619...e-8', '0.2']
     """
     if isinstance(model, Scene):
         raise TypeError("model is a Scene: export takes the model first, then the scene")
@@ -82,8 +76,7 @@ def export(
         raise TypeError("nodes or max_error was required")
     count = 2 if nodes is None else nodes
     spacing, form = (count, max_error, rtol), (format, units)
-    beside = conductance, None if friction is None else float(friction)
-    found = _asperity.contact_table(as_model(model), scene, ends, spacing, form, beside)
+    found = _asperity.contact_table(as_model(model), scene, ends, spacing, form, conductance)
     columns, pressure_error, tangent_error, text = found
     clearance, pressures, tangent = columns.values()
     return ContactTable(clearance, pressures, tangent, pressure_error, tangent_error, text)
