@@ -255,7 +255,8 @@ impl<'s> Inquiry<'s> {
         let [sigma, metres] = line.separation.each_ref().map(|at| at.as_ref().ok().copied());
         let metres = match (metres, line.between) {
             (Some(metres), Some(ends)) => Cell::Between(metres, ends.map(Some)),
-            (metres, _) => metres.into(),
+            (Some(metres), None) => metres.into(),
+            (None, _) => Cell::Blank(line.separation[1].clone().err().map(Into::into)),
         };
         let places = self.loads_at(line.given).chain(films.iter().copied()).chain([sigma]);
         let places = places.map(Cell::from).chain([metres]);

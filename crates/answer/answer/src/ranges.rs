@@ -1,7 +1,7 @@
 //! Answers on a scene whose numbers are known within ranges: every number with its lower and upper
 //! end.
 
-use asperity::{Code, Quantity, map_runs};
+use asperity::{Best, Code, Compared, Model, Quantity, map_runs};
 use asperity_scene::{Description, Points, SceneFile, Unknown};
 
 use crate::models::grouped;
@@ -133,6 +133,7 @@ impl Ends<'_> {
         };
         let shown: Vec<(usize, bool)> =
             sheet.heads.iter().enumerate().filter_map(is_shown).collect();
+        self.add_alone(sheet);
         let mut found = [NoEnds::Missing, NoEnds::Growing].map(|why| (why, [0; 2]));
         for (column, has_interval) in shown {
             for row in 0..sheet.rows.len() {
@@ -163,6 +164,32 @@ impl Ends<'_> {
                 };
                 sheet.warn(Code::NoValue, text);
             }
+        }
+    }
+
+    /// Says of which answers the ends lack the error of the model, which has no interval.
+    fn add_alone(&self, sheet: &mut Sheet) {
+        let Some(model) = sheet.column("model") else { return };
+        let lacks = |row: &Vec<Cell>, column: usize| {
+            let is_best = row[model].text() == Best::<Model>::ID;
+            is_best && row[column].number().is_some() && row[column].ends() == [None; 2]
+        };
+        let is_alone = |(column, head): (usize, &String)| {
+            let quantity = quantity_of(head);
+            let has_interval = quantity.is_none_or(|one| Compared::behind(one).is_some());
+            let mut rows = [&*sheet].into_iter().chain(&self.sheets).flat_map(|one| &one.rows);
+            let is_alone = has_interval
+                && sheet.with_ends.contains(head)
+                && rows.any(|row| lacks(row, column));
+            is_alone.then(|| quantity.map_or_else(|| head.clone(), |one| one.to_string()))
+        };
+        let alone: Vec<String> = sheet.heads.iter().enumerate().filter_map(is_alone).collect();
+        if !alone.is_empty() {
+            let text = format!(
+                "the ends of {} come from the ranges alone: the error of the model is not known at all points of them",
+                alone.join(", ")
+            );
+            sheet.result(text);
         }
     }
 

@@ -143,6 +143,22 @@ impl Sheet {
         }
     }
 
+    /// Adds beside each stiffness the same over a nominal area \[m²\]:
+    /// `tangent_per_area_N_per_m3`.
+    pub fn add_per_area(&mut self, nominal_area: f64) {
+        for column in (0..self.heads.len()).rev() {
+            let Some(name) = self.heads[column].strip_suffix("_N_per_m") else { continue };
+            let head = format!("{name}_per_area_N_per_m3");
+            self.with_ends
+                .extend(self.with_ends.contains(&self.heads[column]).then(|| head.clone()));
+            self.heads.insert(column + 1, head);
+            for row in &mut self.rows {
+                let of_area = row[column].map(|value| Some(value / nominal_area));
+                row.insert(column + 1, of_area);
+            }
+        }
+    }
+
     /// Adds a result in a sentence, unless it stands there already.
     pub fn result(&mut self, text: impl Into<String>) {
         let text = text.into();
@@ -183,7 +199,8 @@ pub const ENDS: [&str; 2] = ["lower", "upper"];
 pub fn column_of_end(column: &str, end: &str) -> String {
     static UNITS: OnceLock<Vec<String>> = OnceLock::new();
     let unit = |quantity: Quantity| quantity.column().split_off(quantity.to_string().len());
-    let units = UNITS.get_or_init(|| Quantity::ALL.into_iter().map(unit).collect());
+    let own = [String::from("_N_per_m3")];
+    let units = UNITS.get_or_init(|| Quantity::ALL.into_iter().map(unit).chain(own).collect());
     let units = units.iter().filter(|unit| column.ends_with(&***unit));
     let unit = units.max_by_key(|unit| unit.len()).map_or("", String::as_str);
     let (name, unit) = column.split_at(column.len() - unit.len());

@@ -65,6 +65,6 @@ pub fn solved_contact(
 ) -> SolvedContact {
     let finite = |(name, of)| Some((of, value(name).filter(|value| value.is_finite())?));
     let is_noted = |(code, _): &&(Code, &str)| notes.iter().any(|name| name == code.name());
-    let uncertain = UNCERTAIN.iter().find(is_noted).map(|(_, why)| (*why).into());
+    let uncertain = UNCERTAIN.iter().find(is_noted).map(|(code, why)| (*code, (*why).into()));
     SolvedContact { pressure, values: NAMED.into_iter().filter_map(finite).collect(), uncertain }
 }

@@ -163,23 +163,27 @@ impl Drawing {
     }
 
     /// The cut-offs of the profile \[m\], λ_s and λ_c: refuses those that no profile has, and
-    /// an Rq below Ra.
+    /// an Rq or Rz below Ra.
     fn cut_offs(&self, height: &Unknown) -> Found<[f64; 2]> {
         let Some([usual_short, usual]) = Range::cut_offs(self.ra(height)?) else {
             return missing("lambda_c", "a cut-off of the profile");
         };
         let short_cut = self.number("lambda_s")?.unwrap_or(usual_short);
         let cut = self.number("lambda_c")?.unwrap_or(usual);
-        let below = self.number("rq")?.zip(self.number("ra")?).filter(|(rq, ra)| rq < ra);
-        let (field, value, required) = match below {
-            Some((rq, _)) => ("rq", rq, "a value of at least ra"),
-            None if cut > LONGEST => {
-                ("lambda_c", cut, "a length in m up to 0.08, for example \"0.8 mm\",")
+        let ra = self.number("ra")?;
+        for field in ["rq", "rz"] {
+            let below = self.number(field)?.filter(|value| ra.is_some_and(|ra| *value < ra));
+            if let Some(value) = below {
+                let required = "a value of at least ra";
+                return Err(ContactError::OutOfRange { field, value, required });
             }
-            None if cut <= short_cut => ("lambda_c", cut, "a cut-off longer than lambda_s"),
-            None => return Ok([short_cut, cut]),
+        }
+        let required = match cut {
+            cut if cut > LONGEST => "a length in m up to 0.08, for example \"0.8 mm\",",
+            cut if cut <= short_cut => "a cut-off longer than lambda_s",
+            cut => return Ok([short_cut, cut]),
         };
-        Err(ContactError::OutOfRange { field, value, required })
+        Err(ContactError::OutOfRange { field: "lambda_c", value: cut, required })
     }
 
     /// The range of a number for this finish.

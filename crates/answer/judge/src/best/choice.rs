@@ -64,6 +64,11 @@ impl<M: Answering> BestContact<M> {
         let (mut invalid, mut refused, mut failed) = (None, None, None);
         for (one, judged) in self.candidates(&place.judged, at) {
             match (one.value(of, at), &judged.outside) {
+                (Ok(gap), _) if of == Compared::MeanGap && gap < 0.0 => {
+                    let id = one.model.id();
+                    let why = format!("the mean gap by {id} is below 0, which cannot be");
+                    refused.get_or_insert_with(|| self.refused(why));
+                }
                 (Ok(value), None) => return Ok((one, value, None)),
                 // No contact carries or has so much.
                 (Ok(_), Some(why))

@@ -7,8 +7,8 @@ use super::candidates::{Counted, OnDemand, Place, SharedPlace};
 use super::model::{Answering, Best, SolvedContact};
 use crate::evidence::{Compared, Evidence, ExpectedContact};
 use asperity_core::{
-    At, Contact, ContactEngine, ContactError, ContactModel, Datum, Evaluation, Finding, Interval,
-    Quantity, Request, Scene, Separation, SeparationUnit, Tolerance, short,
+    At, Code, Contact, ContactEngine, ContactError, ContactModel, Datum, Evaluation, Finding,
+    Interval, Quantity, Request, Scene, Separation, SeparationUnit, Tolerance, short,
 };
 
 /// Bound on the relative rounding of an expected value: the covariance of the solved cases has a
@@ -164,8 +164,13 @@ impl<M: Answering> BestContact<M> {
     #[must_use]
     pub fn not_used(&self, at: At) -> Option<&str> {
         let place = self.place(at);
-        let uncertain = self.solved(place.pressure?)?.uncertain.as_deref()?;
-        place.expected.is_ok().then_some(uncertain)
+        let (_, why) = self.solved(place.pressure?)?.uncertain.as_ref()?;
+        place.expected.is_ok().then_some(why)
+    }
+
+    /// Why what was solved at this place is uncertain, if it is.
+    pub(super) fn uncertain(&self, at: At) -> Option<&(Code, String)> {
+        self.solved(self.place(at).pressure?)?.uncertain.as_ref()
     }
 
     /// Whether the answer at this place is a solution on the scan.

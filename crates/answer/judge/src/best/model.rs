@@ -7,7 +7,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use crate::evidence::{Compared, SurfaceShape};
-use asperity_core::{Citation, ContactError, ContactModel, Described, Provenance, Validity};
+use asperity_core::{Citation, Code, ContactError, ContactModel, Described, Provenance, Validity};
 
 /// What is known best about a scene: what boundary elements gave at the load, where that was
 /// solved; else what they are expected to give, between solved surfaces, with an interval; else the
@@ -51,8 +51,9 @@ pub struct SolvedContact {
     pub pressure: f64,
     /// Area over nominal area, stiffnesses \[N/m\], mean gap \[m\].
     pub values: BTreeMap<Compared, f64>,
-    /// Why the solution is uncertain, if it is: it does not answer then where there is evidence.
-    pub uncertain: Option<String>,
+    /// The finding that makes the solution uncertain, and why, if there is one: it does not answer
+    /// then where there is evidence.
+    pub uncertain: Option<(Code, String)>,
 }
 
 /// A model that may answer.

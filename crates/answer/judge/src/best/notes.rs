@@ -34,6 +34,10 @@ impl<M: Answering> BestContact<M> {
                 let fact = format!("the solution on this scan is not used: {why}");
                 let found = Finding::warning(Code::SolutionNotUsed, "solution", f64::NAN);
                 add(found.fact(fact).of_model(Best::<M>::ID));
+            } else if let Some((code, why)) = self.uncertain(at) {
+                let fact = format!("the solution on this scan is uncertain: {why}");
+                let found = Finding::warning(*code, "solution", f64::NAN);
+                add(found.fact(fact).of_model(Best::<M>::ID));
             }
             if place.expected.as_ref().is_ok_and(|expected| expected.extrapolated) {
                 let fact = "the load is below the lightest solved one, whose ratios to the nearest model are kept";

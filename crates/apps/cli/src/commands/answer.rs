@@ -32,7 +32,7 @@ pub struct Answer {
     /// stiffness; with shear moduli tangential stiffness, with conductivities conductance per area]
     #[arg(long = "quantity", value_name = "Q", value_delimiter = ',')]
     quantities: Vec<Quantity>,
-    /// Every model with its deviation from the answer, and all findings
+    /// Every model with its deviation from the answer, in the middle of ranges, and all findings
     #[arg(long)]
     all: bool,
     /// Solve the scan of the scene at these loads by boundary elements, and answer with that
@@ -72,8 +72,11 @@ impl Answer {
         let fill = |sheet: &mut Sheet| {
             sheet.extend(scene_findings(file, true));
             if self.all {
+                // Every model at every point of ranges takes minutes.
+                let (file, note) = file.taken_at("middle")?;
+                sheet.findings.extend(note.map(|note| note.from_origin("--all")));
                 let fill = |file: &_, sheet: &mut _| asked.all(file, sheet, &Terminal::default());
-                return with_ranges(file, sheet, fill).map(|()| None);
+                return with_ranges(&file, sheet, fill).map(|()| None);
             }
             let basis = asked.answer(file, sheet)?;
             // The most severe first, of these a value without ends.

@@ -56,6 +56,9 @@ pub struct Curve {
     /// Add the columns film_m and lambda also at loads and separations
     #[arg(long, conflicts_with_all = ["plan", "pull_off"])]
     film_columns: bool,
+    /// Add each stiffness over the nominal area (N/m3) beside it, as solvers and ultrasound have it
+    #[arg(long, conflicts_with_all = ["plan", "pull_off"])]
+    per_area: bool,
     /// Give every separation that carries the load, instead of the largest alone
     #[arg(long, requires = "given")]
     all: bool,
@@ -214,7 +217,11 @@ impl Curve {
         let films = self.film_columns || self.asked.is_of_film();
         let inquiry =
             Inquiry { beside, all, at_defaults, films, ..Inquiry::new(file, models, request) };
-        inquiry.answer(sheet, &Terminal::default())
+        inquiry.answer(sheet, &Terminal::default())?;
+        if self.per_area {
+            sheet.add_per_area(file.scene.nominal_area);
+        }
+        Ok(())
     }
 
     fn print_plan(&self, path: &Path) -> Result<()> {
