@@ -13,7 +13,7 @@ mod units;
 
 use std::str::FromStr;
 
-use asperity::{At, Code, Separation, SeparationUnit};
+use asperity::{At, Code, Findings, Separation, SeparationUnit, Severity};
 
 use crate::subject::Subject;
 use crate::{AnswerError, Sheet, Watch};
@@ -153,6 +153,8 @@ impl Export<'_> {
         if table.errors.is_none() && self.conductance {
             return Err("boundary elements at some loads give no lines of conductance; take conductance there from a curve, or export a model".into());
         }
+        let notes: Findings = table.notes.iter().cloned().collect();
+        sheet.extend(self.subject.file.accepted(notes).at_least(Severity::Warning));
         let mut text = table.text(self)?;
         if self.conductance {
             text += &table.conductance_text(self).map_err(of_model)?;

@@ -4,8 +4,8 @@ use std::cmp::Ordering;
 
 use asperity::bem::Bem;
 use asperity::{
-    At, Best, Contact, ContactError, ContactModel, Datum, Described, Model, Quantity, Request,
-    SeparationUnit, linspace, short,
+    At, Best, Contact, ContactError, ContactModel, Datum, Described, Finding, Model, Quantity,
+    Request, SeparationUnit, linspace, short,
 };
 
 use super::error_bound::bounds;
@@ -41,6 +41,8 @@ pub(crate) struct ContactTable {
     /// that ends there has no kink at the last node. The model's own pressure beyond the last node
     /// is below that node's.
     pub(crate) cut_off: f64,
+    /// What a reader should know of the solutions at the loads of a list.
+    pub(crate) notes: Vec<Finding>,
 }
 
 impl ContactTable {
@@ -110,7 +112,7 @@ impl Builder {
         };
         let mut nodes: Vec<ContactNode> = loads.iter().map(node).collect::<Outcome<_>>()?;
         nodes.sort_by(|a, b| a.separation.total_cmp(&b.separation));
-        self.table(nodes)
+        Ok(ContactTable { notes: self.contact.notes(loads), ..self.table(nodes)? })
     }
 
     /// From one end to the other, with `count` nodes at equal distances, and with nodes added
@@ -235,7 +237,7 @@ impl Builder {
         let last = nodes[nodes.len() - 1];
         let cut_off = last.separation + last.pressure / last.stiffness / self.height_std();
         let errors = (!self.is_solved).then_some(most);
-        Ok(ContactTable { nodes, errors, cut_off })
+        Ok(ContactTable { nodes, errors, cut_off, notes: vec![] })
     }
 
     /// Slopes at both ends over the secant's: positive, because the pressure falls.
