@@ -9,7 +9,8 @@ use zip::ZipArchive;
 use super::points::grid;
 use super::profile::profile;
 use super::scan::{DEFLATE_RATIO, Scan, mirror_columns, mirror_rows, points};
-use super::x3p_xml::Description;
+use super::x3p_xml::{Data, Description};
+
 use crate::error::{damaged, excerpt, refuse};
 use crate::{LengthUnit, TopographyError};
 
@@ -30,30 +31,40 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let (columns, rows) = (description.columns, description.rows);
     let n = points(columns, rows)?;
     let size: usize = description.stored.iter().map(|stored| stored.sample.size).sum();
-    let packed = (n * size).div_ceil(DEFLATE_RATIO);
-    if packed > bytes.len() {
-        let found = format!("{columns} x {rows} points in a file of {} bytes", bytes.len());
-        let required = format!("at least {packed} bytes for these points");
-        return Err(refuse("x3p MatrixDimension", found, required));
-    }
-    let mut numbers = Vec::with_capacity(n * description.stored.len());
-    unpack(&mut archive, &(folder.clone() + &description.data), [n, size], |mut record| {
-        for stored in &description.stored {
-            let (number, rest) = record.split_at(stored.sample.size);
-            numbers.push(stored.sample.number(number));
-            record = rest;
+    let mut numbers = match description.data {
+        Data::Numbers(numbers) if numbers.len() == n * description.stored.len() => numbers,
+        Data::Numbers(numbers) => {
+            let found = format!("{} points", numbers.len() / description.stored.len());
+            return Err(refuse("x3p DataList", found, format!("{n}, by MatrixDimension")));
         }
-    })?;
-    if let Some(valid) = description.valid {
-        let mut points = numbers.chunks_mut(description.stored.len());
-        unpack(&mut archive, &(folder + &valid), [n.div_ceil(8), 1], |byte| {
-            for (bit, point) in (0..8).zip(&mut points) {
-                if byte.iter().all(|byte| byte >> bit & 1 == 0) {
-                    point.fill(f64::NAN);
-                }
+        Data::Entries { points, valid } => {
+            let packed = (n * size).div_ceil(DEFLATE_RATIO);
+            if packed > bytes.len() {
+                let found = format!("{columns} x {rows} points in a file of {} bytes", bytes.len());
+                let required = format!("at least {packed} bytes for these points");
+                return Err(refuse("x3p MatrixDimension", found, required));
             }
-        })?;
-    }
+            let mut numbers = Vec::with_capacity(n * description.stored.len());
+            unpack(&mut archive, &(folder.clone() + &points), [n, size], |mut record| {
+                for stored in &description.stored {
+                    let (number, rest) = record.split_at(stored.sample.size);
+                    numbers.push(stored.sample.number(number));
+                    record = rest;
+                }
+            })?;
+            if let Some(valid) = valid {
+                let mut points = numbers.chunks_mut(description.stored.len());
+                unpack(&mut archive, &(folder + &valid), [n.div_ceil(8), 1], |byte| {
+                    for (bit, point) in (0..8).zip(&mut points) {
+                        if byte.iter().all(|byte| byte >> bit & 1 == 0) {
+                            point.fill(f64::NAN);
+                        }
+                    }
+                })?;
+            }
+            numbers
+        }
+    };
     for point in numbers.chunks_mut(description.stored.len()) {
         for (number, stored) in point.iter_mut().zip(&description.stored) {
             // Instruments mark missing points by NaN or by infinity.

@@ -17,9 +17,7 @@ pub(super) struct Description {
     pub(super) increments: [Option<f64>; 2],
     /// The coordinates stored for each point, of which z is the last.
     pub(super) stored: Vec<Coordinate>,
-    /// Name of the entry of coordinates, and of that of bits of valid points, if there is one.
-    pub(super) data: String,
-    pub(super) valid: Option<String>,
+    pub(super) data: Data,
 }
 
 /// A stored coordinate: `step` times the number plus `offset` \[m\].
@@ -28,6 +26,14 @@ pub(super) struct Coordinate {
     pub(super) sample: Sample,
     pub(super) step: f64,
     pub(super) offset: f64,
+}
+
+/// The place of the coordinates.
+pub(super) enum Data {
+    /// Names of the entries of coordinates and, if there is one, of bits of valid points.
+    Entries { points: String, valid: Option<String> },
+    /// Coordinates in `main.xml`, point by point, NaN where missing.
+    Numbers(Vec<f64>),
 }
 
 impl Description {
@@ -74,11 +80,37 @@ impl Description {
             }
         }
         stored.push(coordinate(root, "CZ")?);
+        let data = Data::read(root, stored.len())?;
+        Ok(Self { columns, rows, increments, stored, data })
+    }
+}
+
+impl Data {
+    fn read(root: Node<'_, '_>, coordinates: usize) -> Result<Self, TopographyError> {
         let link = |name: &str| find(root, &["Record3", "DataLink", name]).map(trimmed_text);
-        let data = link("PointDataLink");
-        let data = data.ok_or_else(|| refuse("x3p Record3", "no data", "a PointDataLink"))?.into();
-        let valid = link("ValidPointsLink").filter(|name| !name.is_empty()).map(str::to_owned);
-        Ok(Self { columns, rows, increments, stored, data, valid })
+        if let Some(points) = link("PointDataLink") {
+            let valid = link("ValidPointsLink").filter(|name| !name.is_empty());
+            return Ok(Self::Entries {
+                points: points.to_owned(),
+                valid: valid.map(str::to_owned),
+            });
+        }
+        let list = find(root, &["Record3", "DataList"])
+            .ok_or_else(|| refuse("x3p Record3", "no data", "a PointDataLink or a DataList"))?;
+        let mut numbers = Vec::new();
+        for datum in list.children().filter(|node| node.tag_name().name() == "Datum") {
+            let text = trimmed_text(datum);
+            // An empty element is a missing point.
+            let words = text.split(';').map(str::trim);
+            let found: Option<Vec<f64>> = match text {
+                "" => Some(vec![f64::NAN; coordinates]),
+                _ => words.map(|word| word.parse().ok()).collect(),
+            };
+            let found = found.filter(|found| found.len() == coordinates);
+            let required = format!("{coordinates} numbers between semicolons");
+            numbers.extend(found.ok_or_else(|| refuse("x3p Datum", text, required))?);
+        }
+        Ok(Self::Numbers(numbers))
     }
 }
 

@@ -179,6 +179,8 @@ pub struct X3p {
     pub size: [u64; 2],
     pub data: Vec<u8>,
     pub valid: Option<Vec<u8>>,
+    /// Numbers in `main.xml`.
+    pub list: &'static str,
     /// Axis x: `I` at equal distances, `A` stored as doubles.
     pub x: &'static str,
 }
@@ -186,14 +188,19 @@ pub struct X3p {
 impl Default for X3p {
     fn default() -> Self {
         let (feature, kind, of_z) = ("SUR", "D", "");
-        Self { feature, kind, of_z, size: [5, 4], data: vec![], valid: None, x: "I" }
+        Self { feature, kind, of_z, size: [5, 4], data: vec![], valid: None, list: "", x: "I" }
     }
 }
 
 impl X3p {
     pub fn xml(&self) -> String {
-        let Self { feature, kind, of_z, size: [columns, rows], x, .. } = self;
-        let dx = if *x == "I" { "5e-7" } else { "1" };
+        let Self { feature, kind, of_z, size: [columns, rows], list, x, .. } = self;
+        let (dx, link) = match (*x, *list) {
+            ("I", "") => ("5e-7", "<PointDataLink>bindata/data.bin</PointDataLink>"),
+            ("I", _) => ("5e-7", ""),
+            (_, "") => ("1", "<PointDataLink>bindata/data.bin</PointDataLink>"),
+            _ => ("1", ""),
+        };
         let valid = match self.valid {
             Some(_) => "<ValidPointsLink>bindata/valid.bin</ValidPointsLink>",
             None => "",
@@ -206,7 +213,7 @@ impl X3p {
 <CY><AxisType>I</AxisType><DataType>D</DataType><Increment>2.5e-7</Increment></CY>
 <CZ><AxisType>A</AxisType><DataType>{kind}</DataType>{of_z}</CZ></Axes></Record1>
 <Record3><MatrixDimension><SizeX>{columns}</SizeX><SizeY>{rows}</SizeY><SizeZ>1</SizeZ>
-</MatrixDimension><DataLink><PointDataLink>bindata/data.bin</PointDataLink>{valid}
+</MatrixDimension>{list}<DataLink>{link}{valid}
 </DataLink></Record3></p:ISO5436_2>"
         )
     }

@@ -90,7 +90,7 @@ fn surfaces_of_digital_surf_files_have_numbers() {
 }
 
 #[test]
-fn infinite_heights_profiles_and_points_of_x3p_are_read() {
+fn infinite_heights_and_lists_of_x3p_are_read() {
     let metres = |z: f64| (1e-6 * z).to_le_bytes();
     let mut heights = map();
     (heights[3], heights[4], heights[5]) = (f64::INFINITY, f64::NEG_INFINITY, f64::NAN);
@@ -98,10 +98,16 @@ fn infinite_heights_profiles_and_points_of_x3p_are_read() {
     let options = ReadOptions { max_missing: Some(0.2), ..ReadOptions::default() };
     let surface = read_bytes("a.x3p", &x3p_of(&X3p { data, ..X3p::default() }), &options).unwrap();
     assert!((surface.missing_share() - 0.15).abs() < 1e-12 && surface.heights()[4].is_nan());
-    // Heights in main.xml itself are not read.
-    let xml = X3p::default().xml().replace("DataLink", "DataList");
-    let text = message("a.x3p", &archive(&[("main.xml", xml.as_bytes())]), &channel_free());
-    assert!(text.contains("Record3: no data"), "{text}");
+    // Heights in main.xml, one of them missing.
+    let list =
+        "<DataList><Datum>1e-6</Datum><Datum/> <Datum>3e-6</Datum><Datum>4e-6</Datum></DataList>";
+    let x3p = X3p { list, size: [4, 1], feature: "PRF", ..X3p::default() };
+    let surface = read_bytes("a.x3p", &x3p_of(&x3p), &channel_free()).unwrap();
+    assert!(surface.is_profile() && surface.heights()[1].is_nan());
+    assert!((surface.heights()[3] / 4e-6 - 1.0).abs() < 1e-12);
+    let short = X3p { list, size: [5, 1], feature: "PRF", ..X3p::default() };
+    let text = message("a.x3p", &x3p_of(&short), &channel_free());
+    assert!(text.contains("DataList: 4 points"), "{text}");
     // A profile of positions and heights, at unequal distances.
     let data = [0.0, 1.0, 4.0].iter().flat_map(|x| [metres(*x), metres(2.0 * x)]).flatten();
     let profile =
