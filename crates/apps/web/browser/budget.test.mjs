@@ -18,10 +18,11 @@ const LOAD = { text: "100 N", unit: "N" };
 // 1.35 MB were wanted. The Fourier transforms with vector instructions take 46 kB (without them
 // boundary elements take 1.8 times as long), readers of scans at the level "s" 30 kB (at "z" a scan
 // takes 1.6 times as long), curved bodies, seals and the report of a scan about 50 kB, and the
-// search for the ends of ranges with the tensor of a lay 11 kB.
+// search for the ends of ranges with the tensor of a lay 11 kB. Sections of a scene that serde reads,
+// in 250 lines less, take 13 kB.
 test("a small module", () => {
   const bytes = gzipSync(readFileSync(join(page, "asperity_bg.wasm")), { level: 9 }).length;
-  assert.ok(bytes <= 1.45e6, `${bytes} bytes`);
+  assert.ok(bytes <= 1.46e6, `${bytes} bytes`);
 });
 
 // Both answer a message with { seconds, answer }.
