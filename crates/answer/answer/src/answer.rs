@@ -179,8 +179,15 @@ pub fn basis(best: &BestContact<Model>, quantities: &[Quantity], at: At) -> Basi
         let (by, basis) = match known.source {
             Source::Solved => ("boundary elements on this scan".into(), String::new()),
             Source::Evidence => {
-                let solved = format!("solved surfaces like this one ({})", best.basis(at).ok()?);
-                (best.by(*of, at)?.id().into(), format!(", corrected by {solved}"))
+                let basis = best.basis(at).ok()?;
+                let text = match known.ends {
+                    Some(_) => format!(", corrected by solved surfaces like this one ({basis})"),
+                    None => format!(
+                        ", corrected by the nearest solved surfaces ({basis}), without an interval: {}",
+                        best.why(*of, at).1
+                    ),
+                };
+                (best.by(*of, at)?.id().into(), text)
             }
             Source::Model(id, outside) => {
                 let invalid = outside.map(|why| format!(" (not valid here: {})", why.code));

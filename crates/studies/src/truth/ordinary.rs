@@ -109,10 +109,9 @@ pub fn table(evidence: &Evidence, kept: &Kept) -> Result<Option<String>> {
                 row.push(format!("{:+.0}", 100.0 * (found / area - 1.0)));
             }
             let expected = evidence.expected(&actual, None, *pressure, None).ok();
-            let expected = expected.and_then(|found| found.estimate(Compared::Area));
-            row.push(expected.map_or(NOTHING.into(), |found| {
-                format!("{} to {}", percent(found.low), percent(found.high))
-            }));
+            let ends = expected.and_then(|found| found.estimate(Compared::Area)?.ends);
+            let text = |[low, high]: [f64; 2]| format!("{} to {}", percent(low), percent(high));
+            row.push(ends.map_or(NOTHING.into(), text));
             out += &markdown_row(&row);
         }
     }

@@ -170,7 +170,9 @@ impl Scan {
         let mut pairs = [(None, 0.0); 4];
         for (k, quantity) in Compared::ALL.into_iter().enumerate() {
             let found = expected.as_ref().and_then(|all| all.estimate(quantity));
-            pairs[k] = (found.map(|e| [e.value, e.low, e.high].map(|x| x / units[k])), solved[k]);
+            let found = found.and_then(|one| Some((one.value, one.ends?)));
+            let found = found.map(|(value, [low, high])| [value, low, high].map(|x| x / units[k]));
+            pairs[k] = (found, solved[k]);
         }
         Ok(pairs)
     }

@@ -68,6 +68,15 @@ pub(super) struct Judged {
     pub(super) deep: Option<Finding>,
 }
 
+impl Judged {
+    /// Whether no contact carries or has so much.
+    pub(super) fn is_impossible(&self) -> bool {
+        self.outside.as_ref().is_some_and(|why| {
+            why.code == Code::BeyondFullContact || why.code == Code::Crowded && why.value > 1.0
+        })
+    }
+}
+
 /// A model that may answer, compiled where its answer is needed; none where the scene refuses it.
 pub(super) type OnDemand<M> = (M, OnceLock<Option<Candidate<M>>>);
 
@@ -81,6 +90,14 @@ pub(super) struct Place {
     pub(super) pressure: Option<f64>,
     pub(super) expected: Result<ExpectedContact, ContactError>,
     pub(super) judged: AllJudged,
+}
+
+impl Place {
+    /// Whether solved surfaces give an interval.
+    pub(super) fn has_interval(&self) -> bool {
+        let any = |found: &ExpectedContact| found.values.iter().any(|(_, one)| one.ends.is_some());
+        self.expected.as_ref().is_ok_and(any)
+    }
 }
 
 /// Shared, as several quantities are asked for at a place.

@@ -7,7 +7,7 @@ use super::contact::BestContact;
 use super::model::Answering;
 use crate::evidence::{Compared, ExpectedContact};
 use crate::recommended::ANSWERING;
-use asperity_core::{At, Code, ContactError, Finding, Scene};
+use asperity_core::{At, ContactError, Finding, Scene};
 
 /// A model beside the answer.
 #[derive(Debug, Clone)]
@@ -70,11 +70,7 @@ impl<M: Answering> BestContact<M> {
                     refused.get_or_insert_with(|| self.refused(why));
                 }
                 (Ok(value), None) => return Ok((one, value, None)),
-                // No contact carries or has so much.
-                (Ok(_), Some(why))
-                    if why.code == Code::BeyondFullContact
-                        || why.code == Code::Crowded && why.value > 1.0 =>
-                {
+                (Ok(_), Some(why)) if judged.is_impossible() => {
                     refused.get_or_insert_with(|| self.refused(why.to_string()));
                 }
                 (Ok(value), Some(why)) => {
@@ -90,18 +86,25 @@ impl<M: Answering> BestContact<M> {
         })
     }
 
-    /// The valid model that is nearest to the expected value, and its own there.
+    /// The valid model that is nearest to the expected value, and its own there; at the `other`
+    /// pressure \[Pa\] it has no more area than there is.
     pub(super) fn nearest(
         &self,
         of: Compared,
         expected: &ExpectedContact,
+        other: f64,
     ) -> Option<(&Candidate<M>, f64)> {
         let wanted = expected.estimate(of)?.value;
         let at = At::Pressure(expected.pressure);
         let place = self.place(at);
         let valid =
             self.candidates(&place.judged, at).filter(|(_, judged)| judged.outside.is_none());
-        let known = valid.filter_map(|(one, _)| Some((one, one.value(of, at).ok()?)));
+        let fits = |one: &Candidate<M>| {
+            let area = |other: f64| one.value(Compared::Area, At::Pressure(other));
+            !expected.extrapolated || area(other).is_ok_and(|area| area <= 1.0)
+        };
+        let known = valid.filter(|(one, _)| fits(one));
+        let known = known.filter_map(|(one, _)| Some((one, one.value(of, at).ok()?)));
         let off = |value: f64| match of {
             Compared::MeanGap => (value - wanted).abs(),
             _ => (value / wanted).ln().abs(),
@@ -113,8 +116,16 @@ impl<M: Answering> BestContact<M> {
     #[must_use]
     pub fn by(&self, of: Compared, at: At) -> Option<&M> {
         let place = self.place(at);
-        let expected = place.expected.as_ref().ok();
-        let nearest = expected.and_then(|expected| self.nearest(of, expected)).map(|(one, _)| one);
+        let expected = place.expected.as_ref().ok().zip(place.pressure);
+        // Beyond solved loads gaps change as the stiffness tells.
+        let of = match expected {
+            Some((expected, _)) if expected.extrapolated && of == Compared::MeanGap => {
+                Compared::Stiffness
+            }
+            _ => of,
+        };
+        let nearest = expected.and_then(|(expected, own)| self.nearest(of, expected, own));
+        let nearest = nearest.map(|(one, _)| one);
         let first = || self.first(of, at).ok().map(|(one, ..)| one);
         nearest.or_else(first).map(|one| &one.model)
     }

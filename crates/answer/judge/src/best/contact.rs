@@ -165,7 +165,7 @@ impl<M: Answering> BestContact<M> {
     pub fn not_used(&self, at: At) -> Option<&str> {
         let place = self.place(at);
         let (_, why) = self.solved(place.pressure?)?.uncertain.as_ref()?;
-        place.expected.is_ok().then_some(why)
+        place.has_interval().then_some(why)
     }
 
     /// Why what was solved at this place is uncertain, if it is.
@@ -189,7 +189,7 @@ impl<M: Answering> BestContact<M> {
         let place = self.place(at);
         if let Some(pressure) = place.pressure {
             let solved = self.solved(pressure);
-            let solved = solved.filter(|one| one.uncertain.is_none() || place.expected.is_err());
+            let solved = solved.filter(|one| one.uncertain.is_none() || !place.has_interval());
             if let Some(&value) = solved.and_then(|solved| solved.values.get(&of)) {
                 return Ok(Known { value, ends: None, source: Source::Solved, error: ROUNDED });
             }
@@ -250,13 +250,13 @@ impl<M: Answering> BestContact<M> {
         self.place(at).expected.as_ref().map(ExpectedContact::basis).map_err(Clone::clone)
     }
 
-    /// The property and the reason why solved surfaces do not give a compared number here.
+    /// The property and the reason why a compared number has no interval here.
     #[must_use]
     pub fn why(&self, of: Compared, at: At) -> (&'static str, String) {
         match &self.place(at).expected {
             Err(ContactError::NoEvidence { property, reason }) => (property, reason.clone()),
             Err(error) => ("", error.to_string()),
-            Ok(expected) => (of.name(), expected.undetermined(of)),
+            Ok(expected) => expected.undetermined(of),
         }
     }
 

@@ -10,8 +10,8 @@ use crate::evidence::{Compared, SurfaceShape};
 use asperity_core::{Citation, Code, ContactError, ContactModel, Described, Provenance, Validity};
 
 /// What is known best about a scene: what boundary elements gave at the load, where that was
-/// solved; else what they are expected to give, between solved surfaces, with an interval; else the
-/// first valid model, without one.
+/// solved; else what they are expected to give, with an interval between solved surfaces and without
+/// one beyond them, at the nearest; else, as with adhesion, the first valid model.
 ///
 /// It has what boundary elements are compared in, and what follows from that: areas, mean pressure,
 /// tangent and unloading stiffness, tangential stiffness, conductances and mean gaps; and the
@@ -52,7 +52,7 @@ pub struct SolvedContact {
     /// Area over nominal area, stiffnesses \[N/m\], mean gap \[m\].
     pub values: BTreeMap<Compared, f64>,
     /// The finding that makes the solution uncertain, and why, if there is one: it does not answer
-    /// then where there is evidence.
+    /// then where solved surfaces give an interval.
     pub uncertain: Option<(Code, String)>,
 }
 

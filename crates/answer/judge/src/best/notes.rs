@@ -1,8 +1,10 @@
 //! Findings about what is known best: what the answer rests on.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::contact::{BestContact, Known, Source};
 use super::model::{Answering, Best};
-use crate::evidence::Compared;
+use crate::evidence::{Compared, ExpectedContact};
 use asperity_core::{At, Code, Finding};
 
 /// Elastic bodies that hardly yield, as of rubber, have a lower modulus \[Pa\].
@@ -39,11 +41,12 @@ impl<M: Answering> BestContact<M> {
                 let found = Finding::warning(*code, "solution", f64::NAN);
                 add(found.fact(fact).of_model(Best::<M>::ID));
             }
-            if place.expected.as_ref().is_ok_and(|expected| expected.extrapolated) {
+            let is_light = |one: &ExpectedContact| one.extrapolated && one.outside.is_none();
+            if place.expected.as_ref().is_ok_and(is_light) {
                 let fact = "the load is below the lightest solved one, whose ratios to the nearest model are kept";
                 add(note(Code::Extrapolated, "load").fact(fact));
             }
-            let mut kept: Option<(String, Vec<&str>)> = None;
+            let mut open: BTreeMap<_, BTreeSet<Compared>> = BTreeMap::new();
             for of in behind.clone() {
                 let (field, reason) = self.why(of, at);
                 match self.known(of, at) {
@@ -55,18 +58,15 @@ impl<M: Answering> BestContact<M> {
                         deep.into_iter().for_each(&mut add);
                     }
                     Ok(Known { source: Source::Evidence, ends: None, .. }) => {
-                        let (_, labels) = kept.get_or_insert_with(|| (reason, vec![]));
-                        if !labels.contains(&of.label()) {
-                            labels.push(of.label());
-                        }
+                        open.entry((field, reason)).or_default().insert(of);
                     }
                     _ => {}
                 }
             }
-            if let Some((reason, labels)) = kept {
-                let fact = "the ratio to the nearest model is kept, without an interval";
-                let fact = format!("{}: {reason}; {fact}", labels.join(", "));
-                add(note(Code::Extrapolated, "pressure").fact(fact));
+            for ((field, reason), all) in open {
+                let labels: Vec<_> = all.into_iter().map(Compared::label).collect();
+                let fact = format!("{} without an interval: {reason}", labels.join(", "));
+                add(note(Code::Extrapolated, field).fact(fact));
             }
         }
         found

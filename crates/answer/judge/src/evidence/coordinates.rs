@@ -177,9 +177,25 @@ impl Coordinates {
     }
 }
 
+/// The property of a place that is outside of the solved ones, and the solved range.
+pub(crate) type Outside = (&'static str, String);
+
+/// What is nearest to a place among the solved ones.
+#[derive(Debug, Clone)]
+pub(crate) struct Nearest {
+    /// With each coordinate that is outside of the solved range at its end.
+    pub(crate) place: Coordinates,
+    /// The nearest load, p/(E g), on the surface itself.
+    pub(crate) load: f64,
+    /// H over its hardness: softer bodies touch as plastic ones do, by p/H alone.
+    pub(crate) hardness: f64,
+    /// The first coordinate that is outside.
+    pub(crate) outside: Option<Outside>,
+}
+
 impl Evidence {
-    /// Refuses a place outside the solved cases, with the property and its range.
-    pub(crate) fn check(&self, place: &Coordinates) -> Result<(), ContactError> {
+    /// The nearest of the solved places.
+    pub(crate) fn nearest(&self, place: &Coordinates) -> Nearest {
         let range = |of: fn(&Coordinates) -> f64| {
             let solved = self.places.iter().map(of);
             solved.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
@@ -195,7 +211,9 @@ impl Evidence {
         let ([lightest, load], [_, hardness]) =
             (range(|place| place.load), range(Coordinates::of_hardness));
         let SurfaceShape { skewness, slope_skewness, slope_ratio, .. } = place.shape;
-        let reason = (place.load * LIGHTER < lightest).then(|| {
+        let alpha = range(|place| place.alpha);
+        let slopes = range(|place| place.shape.slope_ratio);
+        let too_light = (place.load * LIGHTER < lightest).then(|| {
             let reason = format!(
                 "p/(E g) = {:.1e}; solved down to {lightest:.0e}, and extrapolated to a load {LIGHTER} times lighter",
                 place.load
@@ -203,23 +221,36 @@ impl Evidence {
             ("p/(E g)", reason)
         });
         let ranges = [
-            ("alpha (m0 m4/m2^2)", "", place.alpha, range(|place| place.alpha), BEYOND),
+            ("alpha (m0 m4/m2^2)", "", place.alpha, alpha, BEYOND),
             // Smaller indices are nearly elastic, and lighter loads have constant ratios.
             ("plasticity_index", &of_shape, place.index, [0.0, index], BEYOND_INDEX),
             ("p/(E g)", "", place.load, [0.0, load], BEYOND),
             ("p/H", "", place.of_hardness(), [0.0, hardness], BEYOND),
-            ("the ratio of slopes", "", slope_ratio, range(|p| p.shape.slope_ratio), BEYOND),
+            ("the ratio of slopes", "", slope_ratio, slopes, BEYOND),
         ];
-        let reason = reason.or_else(|| ranges.into_iter().find_map(outside)).or_else(|| {
-            let [low, high] = range(|place| place.shape.skewness);
-            let used = low - BEYOND_SKEWNESS..=high + BEYOND_SKEWNESS;
-            let named = [("skewness", skewness), ("skewness of the slopes", slope_skewness)];
-            let outside = named.into_iter().find(|(_, skewness)| !used.contains(skewness));
+        let skewnesses = range(|place| place.shape.skewness);
+        let [low, high] = [skewnesses[0] - BEYOND_SKEWNESS, skewnesses[1] + BEYOND_SKEWNESS];
+        let named = [("skewness", skewness), ("skewness of the slopes", slope_skewness)];
+        let skewed = || {
+            let outside = named.into_iter().find(|(_, skewness)| !(low..=high).contains(skewness));
+            let [low, high] = skewnesses;
             outside
                 .map(|(name, x)| (name, format!("{name} = {x:.1}; solved range {low} to {high}")))
-        });
-        let refused = |(property, reason)| Err(ContactError::NoEvidence { property, reason });
-        reason.map_or(Ok(()), refused)
+        };
+        let outside = too_light.or_else(|| ranges.into_iter().find_map(outside)).or_else(skewed);
+        let heaviest = (load * BEYOND).min(hardness * BEYOND / place.strain);
+        let load = place.load.min(heaviest).max(lightest);
+        let hardness = (index * BEYOND_INDEX / place.index).min(1.0);
+        let shape = SurfaceShape {
+            skewness: skewness.clamp(low, high),
+            slope_skewness: slope_skewness.clamp(low, high),
+            slope_ratio: slope_ratio.min(slopes[1] * BEYOND),
+            ..place.shape
+        };
+        let alpha = place.alpha.clamp(alpha[0] / BEYOND, alpha[1] * BEYOND);
+        let strain = place.strain * hardness;
+        let place = Coordinates { alpha, load: load / hardness, strain, shape, ..*place };
+        Nearest { place, load, hardness, outside }
     }
 }
 

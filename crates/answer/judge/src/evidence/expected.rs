@@ -8,13 +8,15 @@ use serde::Serialize;
 
 use crate::evidence::Evidence;
 use crate::evidence::case::Compared;
-use crate::evidence::coordinates::{Coordinates, LEAST_HURST, SurfaceShape, gradient};
+use crate::evidence::coordinates::{
+    Coordinates, LEAST_HURST, Nearest, Outside, SurfaceShape, gradient,
+};
 use asperity_core::{ContactError, Scene, short};
 
 /// With fewer contacts, scatter alone exceeds the widest interval.
 const FEWEST: f64 = 4.0;
-/// Spectra of at least this α whose Hurst exponent is below the second number have no stiffness and
-/// gap: 12 and 16 of 30 were in their interval at exponents of 0.3 to 0.5.
+/// Stiffnesses and gaps of spectra of at least this α whose Hurst exponent is below the second
+/// number have no interval: 12 and 16 of 30 were inside at exponents of 0.3 to 0.5.
 const BROAD: f64 = 10.0;
 
 /// Boundary elements at a load, interpolated between solved surfaces.
@@ -27,13 +29,17 @@ pub struct ExpectedContact {
     pub plasticity_index: f64,
     /// Skewness and lay.
     pub shape: SurfaceShape,
-    /// Mean pressure \[Pa\] at which models are compared: the lightest solved where `extrapolated`.
+    /// Mean pressure \[Pa\] of the values: the nearest solved one where `extrapolated`.
     pub pressure: f64,
-    /// Whether the load is below all solved ones, where ratios are taken as constant.
+    /// Whether the load is outside of the solved ones, where ratios to models are kept.
     pub extrapolated: bool,
+    /// The property that is outside of the solved ones, and their range: the values are at the
+    /// nearest end of it, without intervals.
+    pub outside: Option<Outside>,
     /// Solved surfaces of the nearest family.
     pub surfaces: usize,
-    /// The quantities that the solved surfaces determine within a factor of 1.5.
+    /// The quantities; those that the solved surfaces determine within a factor of 1.5 have an
+    /// interval.
     pub values: Vec<(Compared, Estimate)>,
     /// Sq \[m\], the unit of differences of gaps.
     pub rms_height: f64,
@@ -43,45 +49,59 @@ pub struct ExpectedContact {
     /// Mean pressure over the hardness; 0 without one.
     #[serde(skip)]
     pub pressure_over_hardness: f64,
+    /// Contacts of the surface; infinite if unknown.
+    #[serde(skip)]
+    pub contacts: f64,
 }
 
-/// A value and an interval that holds nine of ten surfaces, or nine of ten means of many.
+/// A value, and an interval that holds nine of ten surfaces, or nine of ten means of many.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Estimate {
     /// Area over the nominal one, stiffness \[N/m\], mean gap \[m\].
     pub value: f64,
-    /// Ends of the interval.
-    pub low: f64,
-    /// Ends of the interval.
-    pub high: f64,
+    /// Ends of the interval, if it is known.
+    pub ends: Option<[f64; 2]>,
 }
 
 impl ExpectedContact {
-    /// The estimate of a quantity; `None` where the solved surfaces do not determine it.
+    /// The estimate of a quantity; `None` under loads where solved surfaces do not determine it.
     #[must_use]
     pub fn estimate(&self, quantity: Compared) -> Option<Estimate> {
         self.values.iter().find(|(known, _)| *known == quantity).map(|(_, estimate)| *estimate)
     }
 
-    /// Why there is no [`estimate`](Self::estimate) of a quantity.
+    /// Why a quantity has no interval.
     #[must_use]
-    pub fn undetermined(&self, quantity: Compared) -> String {
+    pub fn undetermined(&self, quantity: Compared) -> Outside {
         let highest = quantity.highest_pressure();
-        if let Some(hurst) = self.hurst.filter(|_| quantity != Compared::Area && self.is_rough()) {
-            let what = if quantity == Compared::MeanGap { "the gap" } else { "stiffness" };
-            return format!(
-                "the Hurst exponent of the scan is {hurst:.2}; solved surfaces have 0.8, and {what} depends on it at a bandwidth of {:.0}",
-                self.alpha
-            );
+        if let Some((property, reason)) = &self.outside {
+            let how = match self.extrapolated {
+                true => "the ratio to the nearest model there is kept",
+                false => "taken at the nearest end",
+            };
+            return (property, format!("{reason}; {how}"));
         }
-        match self.pressure_over_hardness > highest {
-            true => format!(
-                "it is interpolated up to {highest} H, and the pressure is {} H",
+        let hurst = self.hurst.filter(|_| quantity != Compared::Area && self.is_rough());
+        let reason = match (hurst, self.contacts) {
+            (Some(hurst), _) => {
+                let what = if quantity == Compared::MeanGap { "the gap" } else { "stiffness" };
+                format!(
+                    "the Hurst exponent of the scan is {hurst:.2}; solved surfaces have 0.8, and {what} depends on it at a bandwidth of {:.0}",
+                    self.alpha
+                )
+            }
+            _ if self.pressure_over_hardness > highest => format!(
+                "it is interpolated up to {highest} H, and the pressure is {} H; the ratio to the nearest model is kept",
                 short(self.pressure_over_hardness)
             ),
-            false => "its interval would exceed a factor of 1.5".into(),
-        }
+            (_, few) if few < 1.0 => format!("less than one asperity touches ({})", short(few)),
+            (_, few) if few < FEWEST => {
+                format!("with {few:.1} contacts, the scatter between surfaces is too large")
+            }
+            _ => "it would exceed a factor of 1.5".into(),
+        };
+        (quantity.name(), reason)
     }
 
     /// Whether the spectrum is broad, with more short waves than those of the solved surfaces.
@@ -120,8 +140,9 @@ impl Evidence {
     ///
     /// Intervals hold nine of ten values on surfaces of other spectra than the solved ones, whose
     /// Hurst exponent is 0.8. The exception that was found are spectra with α of 12 or more and an
-    /// exponent of 0.3 to 0.5: 12 of 30 stiffnesses and 16 of 30 gaps were inside. They are refused
-    /// where the exponent is known to be below 0.6.
+    /// exponent of 0.3 to 0.5: 12 of 30 stiffnesses and 16 of 30 gaps were inside. They have none
+    /// where the exponent is known to be below 0.6. Outside of the solved ones, values are at the
+    /// nearest of them, without intervals.
     ///
     /// ```
     /// use asperity::{Compared, Evidence, Interface, ProfileMoments, Scene, Surface};
@@ -130,18 +151,19 @@ impl Evidence {
     /// let mut scene = Scene::new(Interface::new(115e9, 0.3, 7e9), surface, 1e-4);
     /// let found = Evidence::committed()?.expected(&scene, None, 2e8, None)?;
     /// let area = found.estimate(Compared::Area).ok_or("no estimate")?;
-    /// assert!(area.low < area.value && area.value < area.high && area.high < 1.3 * area.low);
+    /// let [low, high] = area.ends.ok_or("no interval")?;
+    /// assert!(low < area.value && area.value < high && high < 1.3 * low);
     /// // No surface of so large a bandwidth was solved.
     /// scene.surface = Surface::from_moments(&ProfileMoments { m0: 1e-11, m2: 2.5e-3, m4: 1e9 })?;
-    /// let refused = Evidence::committed()?.expected(&scene, None, 2e8, None);
-    /// assert!(refused.unwrap_err().to_string().contains("alpha"));
+    /// let found = Evidence::committed()?.expected(&scene, None, 2e8, None)?;
+    /// assert!(found.estimate(Compared::Area).ok_or("no estimate")?.ends.is_none());
+    /// assert!(found.undetermined(Compared::Area).1.contains("alpha"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`ContactError::Refused`] naming the property of the scene outside the solved range, and the
-    /// range; where surfaces adhere, or heights without a shape are not Gaussian. Errors of the
-    /// scene.
+    /// [`ContactError::NoEvidence`] where surfaces adhere, or heights without a shape are not
+    /// Gaussian. Errors of the scene.
     pub fn expected(
         &self,
         scene: &Scene,
@@ -161,29 +183,21 @@ impl Evidence {
         pressure: f64,
         contacts: Option<f64>,
     ) -> Result<ExpectedContact, ContactError> {
-        let mut place = Coordinates::of_scene(scene, shape, pressure)?;
-        if let Some(few) = contacts.filter(|contacts| *contacts < 1.0) {
-            let reason = format!("less than one asperity touches ({})", short(few));
-            return Err(ContactError::NoEvidence { property: "single contact", reason });
-        }
-        place.contacts = contacts.unwrap_or(f64::INFINITY);
-        self.check(&place)?;
+        let mut own = Coordinates::of_scene(scene, shape, pressure)?;
+        own.contacts = contacts.unwrap_or(f64::INFINITY);
+        let Nearest { place, load, hardness, outside } = self.nearest(&own);
         let moments = scene.surface.moments();
         let unit = scene.asperity()?.equivalent_modulus * gradient(&moments);
-        let lightest = self.places.iter().map(|place| place.load).fold(f64::INFINITY, f64::min);
-        let extrapolated = place.load < lightest;
-        place.load = place.load.max(lightest);
         let rms_height = moments.m0.sqrt();
         let stiffness = unit * scene.nominal_area / rms_height;
         let hurst = shape.and_then(|shape| shape.hurst);
         let estimate = |&quantity: &Compared| {
-            if quantity != Compared::Area && is_rough(place.alpha, hurst) {
-                return None;
-            }
             let unit = match quantity {
                 Compared::Area => 1.0,
                 Compared::MeanGap => rms_height,
-                Compared::Stiffness | Compared::UnloadingStiffness => stiffness,
+                // Of what flows, loading takes in proportion to the hardness.
+                Compared::Stiffness => hardness * stiffness,
+                Compared::UnloadingStiffness => stiffness,
             };
             // Elastic contacts have one stiffness.
             let solved = match quantity {
@@ -199,31 +213,27 @@ impl Evidence {
                 _ => 0.0,
             };
             let found = self.interval(solved, &place)?;
-            let [value, low, high] = found.map(|x| unit * x.max(least));
-            Some((quantity, Estimate { value, low, high }))
+            let is_known =
+                outside.is_none() && (quantity == Compared::Area || !is_rough(place.alpha, hurst));
+            let of = |x: f64| unit * x.max(least);
+            let ends = found.ends.filter(|_| is_known).map(|ends| ends.map(of));
+            Some((quantity, Estimate { value: of(found.value), ends }))
         };
         let mut values: Vec<_> = quantities.iter().filter_map(estimate).collect();
         unload_stiffer(&mut values);
-        if values.is_empty() {
-            let reason = match place.contacts {
-                few if few < FEWEST => {
-                    format!("with {few:.1} contacts, the scatter between surfaces is too large")
-                }
-                _ => "no surface like this one was solved".into(),
-            };
-            return Err(ContactError::NoEvidence { property: "contacts", reason });
-        }
         Ok(ExpectedContact {
-            alpha: place.alpha,
-            plasticity_index: place.index,
-            shape: place.shape,
-            pressure: place.load * unit,
-            extrapolated,
+            alpha: own.alpha,
+            plasticity_index: own.index,
+            shape: own.shape,
+            pressure: load * unit,
+            extrapolated: load.total_cmp(&own.load).is_ne(),
+            outside,
             surfaces: self.surfaces_near(&place),
             values,
             rms_height,
             hurst,
-            pressure_over_hardness: place.of_hardness(),
+            pressure_over_hardness: own.of_hardness(),
+            contacts: own.contacts,
         })
     }
 
@@ -250,11 +260,8 @@ fn unload_stiffer(values: &mut [(Compared, Estimate)]) {
     let of = |wanted: Compared| move |(quantity, _): &(Compared, Estimate)| *quantity == wanted;
     let Some((_, least)) = values.iter().copied().find(of(Compared::Stiffness)) else { return };
     for (_, found) in values.iter_mut().filter(|found| of(Compared::UnloadingStiffness)(found)) {
-        let Estimate { value, low, high } = *found;
-        *found = Estimate {
-            value: value.max(least.value),
-            low: low.max(least.low),
-            high: high.max(least.high),
-        };
+        let Estimate { value, ends } = *found;
+        let both = ends.zip(least.ends).map(|(ends, least)| [0, 1].map(|k| ends[k].max(least[k])));
+        *found = Estimate { value: value.max(least.value), ends: both.or(ends) };
     }
 }

@@ -3,6 +3,7 @@
 use crate::evidence::Evidence;
 use crate::evidence::case::{Compared, EvidenceCase};
 use crate::evidence::coordinates::{Coordinates, Spectrum};
+use crate::evidence::expected::Estimate;
 use crate::evidence::process::{ELASTIC, NARROWEST, Process, SolvedValue, Spread};
 
 /// Half width of an interval that holds nine of ten values, in standard deviations: more than the
@@ -39,13 +40,13 @@ const MERGED: f64 = 0.02;
 
 impl Evidence {
     /// The dimensionless value of a quantity and its interval.
-    pub(crate) fn interval(&self, quantity: Compared, place: &Coordinates) -> Option<[f64; 3]> {
+    pub(crate) fn interval(&self, quantity: Compared, place: &Coordinates) -> Option<Estimate> {
         let place = &followed(quantity, place);
         let [middle, deviation] = self.process(quantity)?.at(place);
         let half = COVERAGE * deviation.hypot(scatter(quantity, place));
-        (half <= WIDEST).then_some(
-            [middle, middle - half, middle + half].map(|x| of_logarithm(quantity, place, x)),
-        )
+        let [value, low, high] =
+            [middle, middle - half, middle + half].map(|x| of_logarithm(quantity, place, x));
+        Some(Estimate { value, ends: (half <= WIDEST).then_some([low, high]) })
     }
 
     /// The surface through the cases of a table.
