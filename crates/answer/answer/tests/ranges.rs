@@ -171,6 +171,11 @@ fn draws_from_the_ranges_lie_between_the_ends() {
         poissons_ratio = 0.3\nhardness = 7e9\nthermal_conductivity = 50\n[surface]\n\
         ra = 8e-7\nfinish = \"unknown\"\n";
     let moments = "m0 = [1e-13, 1e-12]\nm2 = [1e-3, 4e-3]\nm4 = [1e9, 1e10]";
+    // Outside of the solved bandwidths in the middle, and between them at a part of the points.
+    let narrow = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = [80e9, 115e9]\n\
+        poissons_ratio = 0.3\nhardness = [1e9, 4e9]\nthermal_conductivity = 50\n[surface]\n\
+        asperity_radius = [4e-6, 4e-5]\nasperity_density = [5e9, 5e10]\n\
+        asperity_height_std = [2e-7, 8e-7]\n";
     let loads = [At::Pressure(1e6), At::Pressure(1e8)];
     let planes = [-1.1e-6, 7e-7, 3e-6].map(|metres| At::from(Separation::metres(metres)));
     let at_loads = [Area, Tangent, Contacts, ThermalConductancePerArea];
@@ -191,18 +196,26 @@ fn draws_from_the_ranges_lie_between_the_ends() {
         (alike, &loads, &at_loads),
         (alike, &planes, &at_planes),
         ("", &planes, &at_planes),
+        (narrow, &loads, &at_loads),
     ] {
-        let text = if surface.is_empty() { hard.into() } else { format!("{head}{surface}\n") };
+        let text = match surface {
+            "" => hard.into(),
+            whole if whole == narrow => narrow.into(),
+            surface => format!("{head}{surface}\n"),
+        };
         let file = parse(&text, Path::new(".")).unwrap();
         let unknowns = file.unknowns().len();
         let middle = file.middle().unwrap();
         // Two surfaces have eleven unknowns.
         let ids: &[&str] = match surface {
-            _ if is_long => &["gw", "ceb", "ke", "jg", "zmc", "af", "at", "persson", "cmy"],
+            _ if is_long => &["gw", "ceb", "ke", "jg", "zmc", "af", "at", "persson", "cmy", "best"],
             _ if surface == alike => &["jg"],
+            _ if surface == narrow => &["best"],
             _ => &["ceb", "jg", "zmc", "persson", "cmy"],
         };
-        for &id in ids {
+        // Some separations have no load by solved surfaces.
+        let has_values = |id: &&&str| **id != "best" || places[0] == loads[0];
+        for &id in ids.iter().filter(has_values) {
             let request = |quantities: &[Quantity]| {
                 Request::new(quantities.iter().copied()).at(places.iter().copied())
             };
