@@ -26,6 +26,9 @@ pub struct Curvature {
     pub length: Option<f64>,
     /// The length in the deflection of a line contact, on which its approach depends.
     pub reference_length: Option<f64>,
+    /// The least yield strength that was written without a hardness \[Pa\].
+    #[serde(skip)]
+    pub(crate) strength: Option<f64>,
 }
 
 const WAYS: &str = "one of: radius; radius_x and radius_y; radius_x and length, of a line contact; body1_radius_x and so on, of each body";
@@ -103,7 +106,7 @@ impl Curvature {
 mod tests {
     use std::path::Path;
 
-    use asperity::{ContactModel, Quantity, Request};
+    use asperity::{At, ContactModel, Quantity, Request};
 
     use super::*;
     use crate::{SceneError, SceneFile, parse, template};
@@ -182,5 +185,20 @@ mod tests {
         let again = parse(&file.to_toml().unwrap(), Path::new(".")).unwrap();
         assert_eq!(again.unknowns(), file.unknowns());
         assert!(with("radius = [-0.01, 0.01]").is_err());
+    }
+    /// Below the surface the bodies have not hardened: a yield strength that was written holds.
+    #[test]
+    fn bodies_yield_by_the_strength_that_was_written() {
+        let text = "rigid_counterface = true\n[[body]]\nyoungs_modulus = 2.1e11\npoissons_ratio = 0.3\n\
+            yield_strength = 3.5e8\n[surface]\nrq = 2e-7\nrdq = 0.05\nbandwidth = 10\n\
+            [curvature]\nradius = 0.01\n";
+        let file = parse(text, Path::new(".")).unwrap();
+        let request = Request::new([Quantity::PeakPressure]);
+        for file in [file.middle().unwrap(), file.at(&[1.0]).unwrap()] {
+            let contact = file.model("ke").unwrap().contact(&file.scene, &request).unwrap();
+            let notes = contact.notes(&[At::Load(30.0)]);
+            let found = notes.iter().find(|one| one.field == "peak_pressure").unwrap();
+            assert!((found.usual[1] / 5.6e8 - 1.0).abs() < 1e-9, "{found}");
+        }
     }
 }

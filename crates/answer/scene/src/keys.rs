@@ -119,7 +119,7 @@ keys! {
         poissons_ratio("" "above -1, at most 0.5" form "Poisson's ratio ν" "0.3")
         hardness("Pa" "; within 3.3 to 7.8 times the yield strength if missing; elastic models need neither"
             form "Hardness H" "2 GPa")
-        yield_strength("Pa" "; instead of the hardness, or beside it"
+        yield_strength("Pa" "; beside the hardness for laws that take it, which else take H/2.8, or instead of it"
             form "Yield strength" "700 MPa")
         thermal_conductivity("W/(m K)" ", of both bodies; only thermal-conductance needs it"
             form "Thermal conductivity" "50 W/(m K)")
@@ -134,7 +134,7 @@ keys! {
             form "Equivalent modulus" "115 GPa")
         poissons_ratio("" "of the softer body" form "Poisson's ratio ν" "0.3")
         hardness("Pa" ", of the softer body" form "Hardness H" "2 GPa")
-        yield_strength("Pa" ", of the softer body; instead of the hardness, or beside it")
+        yield_strength("Pa" ", of the softer body; beside the hardness for laws that take it, which else take H/2.8, or instead of it")
         equivalent_shear_modulus("Pa"
             ", 1/G = (2-nu1)/G1 + (2-nu2)/G2; for gao, at, tangential-stiffness")
         pressure_factor("" "0.454 + 0.41 nu if missing")

@@ -44,7 +44,7 @@ impl SceneFile {
                 // No solved surface is that of curved bodies.
                 Some(shape) => {
                     let model = self.flat_model(options, usual_reference(&self.scene))?;
-                    Model::new(BetweenCurved::new(model, shape).under(Best::<Model>::ID))
+                    Model::new(self.between_bodies(model, shape).under(Best::<Model>::ID))
                 }
                 None => Model::new(self.best_with(options)),
             }),
@@ -95,9 +95,13 @@ impl SceneFile {
     #[must_use]
     pub fn between(&self, model: Model) -> Model {
         match self.shape() {
-            Some(shape) => Model::new(BetweenCurved::new(model, shape)),
+            Some(shape) => Model::new(self.between_bodies(model, shape)),
             None => model,
         }
+    }
+
+    fn between_bodies(&self, model: Model, shape: Shape) -> BetweenCurved {
+        BetweenCurved::new(model, shape).yielding_at(self.spec.strength())
     }
 
     /// What is known best about the scene, by its models and the shape of its surface.

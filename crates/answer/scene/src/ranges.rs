@@ -171,10 +171,26 @@ impl Bodies {
 }
 
 impl SceneSpec {
+    /// The least yield strength that was written without a hardness \[Pa\], of curved bodies.
+    pub(crate) fn strength(&self) -> Option<f64> {
+        let alone = |hardness: Option<f64>, of: Option<f64>| of.filter(|_| hardness.is_none());
+        let written = match &self.bodies {
+            Bodies::Interface(of) => alone(of.hardness, of.yield_strength),
+            Bodies::Each { bodies, .. } => {
+                let all = bodies.iter().filter_map(|of| alone(of.hardness, of.yield_strength));
+                all.min_by(f64::total_cmp)
+            }
+        };
+        written.or(self.curvature?.strength)
+    }
+
     /// What was written, with the numbers that follow within ranges from others taken where `take`
     /// says.
     fn settled(&self, take: &mut dyn FnMut(Unknown) -> f64) -> Result<Self, ContactError> {
         let mut settled = Self { bodies: self.bodies.settled(take), ..self.clone() };
+        if let Some(curvature) = &mut settled.curvature {
+            curvature.strength = self.strength();
+        }
         for (section, one) in self.surfaces() {
             let drawing = one.drawing();
             let Some(drawing) = drawing.filter(|drawing| drawing.is_open()) else { continue };

@@ -48,13 +48,21 @@ pub struct BetweenCurved {
     model: Arc<dyn ContactModel>,
     shape: Shape,
     id: Option<&'static str>,
+    strength: Option<f64>,
 }
 
 impl BetweenCurved {
     /// This model between these bodies.
     #[must_use]
     pub fn new(model: impl ContactModel + 'static, shape: Shape) -> Self {
-        Self { model: Arc::new(model), shape, id: None }
+        Self { model: Arc::new(model), shape, id: None, strength: None }
+    }
+
+    /// The same of bodies whose weaker one yields at this strength \[Pa\] before it hardens, if it
+    /// is known; asperities yield by the numbers of the interface.
+    #[must_use]
+    pub fn yielding_at(self, strength: Option<f64>) -> Self {
+        Self { strength, ..self }
     }
 
     /// The same under another id.
@@ -104,6 +112,7 @@ impl BetweenCurved {
         let found = OfBodies {
             curved: Curved::new(&*self.model, scene, self.shape, &layer, request.tolerance)?,
             id: self.id().into(),
+            strength: self.strength,
             scene: of_bodies,
             quantities: request.quantities.clone(),
             solved: Mutex::default(),
@@ -133,6 +142,7 @@ type Solved = Arc<(Vec<Result<Evaluation, ContactError>>, Option<f64>, Vec<Findi
 #[derive(Debug)]
 struct OfBodies {
     curved: Curved,
+    strength: Option<f64>,
     id: String,
     scene: Scene,
     quantities: Vec<Quantity>,
@@ -235,7 +245,8 @@ impl OfBodies {
     fn noted(&self, found: &Solution<'_>) -> Vec<Finding> {
         let Interface { yield_strength, .. } = self.scene.interface;
         let hardness = self.scene.interface.softer_hardness();
-        let strength = yield_strength.or(hardness.map(|hardness| hardness / HARDNESS_OVER_YIELD));
+        let hardened = hardness.map(|hardness| hardness / HARDNESS_OVER_YIELD);
+        let strength = self.strength.or(yield_strength).or(hardened);
         let spacing = self.scene.surface.asperity_density.sqrt().recip();
         let [a, b] = found.axes();
         let of_radius = match self.curved.shape {

@@ -140,7 +140,11 @@ impl Check {
         check.add_number("equivalent_shear_modulus", asperity.equivalent_shear_modulus, "Pa", "G");
         let ratio = asperity.hardness.map(|hardness| hardness / asperity.equivalent_modulus);
         check.add_number("hardness", asperity.hardness, "Pa", "H of the softer body");
-        check.add_number("yield_strength", asperity.yield_strength, "Pa", "S_y of the softer body");
+        let meaning = match contacts.interface.yield_strength {
+            Some(_) => "S_y of the softer body",
+            None => "S_y of the softer body, hardened: H/2.8",
+        };
+        check.add_number("yield_strength", asperity.yield_strength, "Pa", meaning);
         check.add_number("hardness_over_modulus", ratio, "", "H/E");
         // Elastic asperities have no critical interference.
         let critical = asperity.critical_interference().ok();
