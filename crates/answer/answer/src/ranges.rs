@@ -126,9 +126,11 @@ impl Ends<'_> {
             Some(Quantity::Pressure) => sheet.column("load_N").is_none(),
             quantity => quantity.is_some() || is_deviation(head),
         };
+        // The separation in another unit.
+        let is_twice = |head: &String| head == "separation_over_sigma";
         let is_shown = |(column, head): (usize, &String)| {
             let has_interval = sheet.with_ends.contains(head);
-            let is_shown = has_interval || is_answer(head) || differs(column);
+            let is_shown = has_interval || is_answer(head) || differs(column) && !is_twice(head);
             is_shown.then_some((column, has_interval))
         };
         let shown: Vec<(usize, bool)> =
@@ -186,7 +188,7 @@ impl Ends<'_> {
         let alone: Vec<String> = sheet.heads.iter().enumerate().filter_map(is_alone).collect();
         if !alone.is_empty() {
             let text = format!(
-                "the ends of {} come from the ranges alone: the error of the model is not known at all points of them",
+                "at some points of the ranges no surface like this one was solved, and the ends of {} lack the error of the model there",
                 alone.join(", ")
             );
             sheet.result(text);

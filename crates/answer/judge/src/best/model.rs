@@ -10,8 +10,8 @@ use crate::evidence::{Compared, SurfaceShape};
 use asperity_core::{Citation, Code, ContactError, ContactModel, Described, Provenance, Validity};
 
 /// What is known best about a scene: what boundary elements gave at the load, where that was
-/// solved; else what they are expected to give, with an interval between solved surfaces and without
-/// one beyond them, at the nearest; else, as with adhesion, the first valid model.
+/// solved; else what they are expected to give: between solved surfaces with an interval, beyond
+/// them by the nearest, without one; else, as with adhesion, what the first valid model gives.
 ///
 /// It has what boundary elements are compared in, and what follows from that: areas, mean pressure,
 /// tangent and unloading stiffness, tangential stiffness, conductances and mean gaps; and the
@@ -115,6 +115,9 @@ impl<M: Send + Sync> Described for Best<M> {
         Validity {
             asperities: false,
             hertz_limit: None,
+            // Where adhesion matters a model of its range answers.
+            adhesive: true,
+            tabor: Some([0.0, f64::INFINITY]),
             valid_for: "what is known best: boundary elements on surfaces like this, else a valid model",
             ..Validity::default()
         }
