@@ -184,8 +184,8 @@ impl SceneFile {
     }
 
     /// The derived numbers of the scene and, for a model, at a separation or load, with findings;
-    /// the numbers that are known within ranges come first, and others have the ends that follow
-    /// from these.
+    /// the numbers that are known within ranges come first, and others of the scene have the ends
+    /// that follow from these. Ends of answers are searched, as a curve has them.
     ///
     /// # Errors
     /// The errors of [`Check::at`].
@@ -196,13 +196,22 @@ impl SceneFile {
         let flat = place.filter(|_| self.shape().is_none());
         let all = points.all.iter().map(|point| point.answered(flat));
         let all = all.collect::<Result<Vec<_>, _>>()?;
+        let of_scene = points.middle.answered(None)?;
         for number in &mut check.numbers {
-            let found = all.iter().filter_map(|point| point.number(&number.name));
-            number.ends = Unknown::spanned(number.value, found);
+            if of_scene.number(&number.name).is_some() {
+                let found = all.iter().filter_map(|point| point.number(&number.name));
+                number.ends = Unknown::spanned(number.value, found);
+            }
         }
-        let is_given = |of: &DerivedNumber| points.unknowns.iter().any(|one| one.name == of.name);
+        let unknowns = self.unknowns_between()?;
+        let is_given = |of: &DerivedNumber| unknowns.iter().any(|one| one.name == of.name);
+        if self.scene.pair.is_some() {
+            for number in check.numbers.iter_mut().filter(|number| is_given(number)) {
+                number.name = format!("pair_{}", number.name).into();
+            }
+        }
         check.numbers.retain(|number| !is_given(number));
-        check.numbers.splice(0..0, points.unknowns.iter().map(Unknown::derived));
+        check.numbers.splice(0..0, unknowns.iter().map(Unknown::derived));
         let asperities = place.is_none_or(|(model, _)| model.validity().asperities);
         check.extend(self.findings().for_asperities(asperities));
         let found = all.iter().flat_map(|one| one.findings.iter());

@@ -225,6 +225,22 @@ impl SceneFile {
         all
     }
 
+    /// The unknowns; those that follow from others have the ends between these.
+    pub(crate) fn unknowns_between(&self) -> Result<Vec<Unknown>, ContactError> {
+        let mut all = self.unknowns();
+        for share in [0.0, 1.0] {
+            let written = self.ranges.iter().map(|(input, one)| (*input, one.at(share)));
+            let there = self.with_inputs(written)?.unknowns();
+            for one in &mut all {
+                for other in there.iter().filter(|other| other.name == one.name) {
+                    one.ends[0] = one.ends[0].min(other.ends[0]);
+                    one.ends[1] = one.ends[1].max(other.ends[1]);
+                }
+            }
+        }
+        Ok(all)
+    }
+
     /// The scene with its unknowns at these shares of their ranges; it has no unknowns.
     ///
     /// # Errors

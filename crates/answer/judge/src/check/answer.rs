@@ -158,8 +158,11 @@ impl Check {
         let mut check = Self::default();
         let fraction = area / scene.nominal_area;
         let sigma = scene.surface.asperity_height_std;
-        check.add_number("load", force, "N", "normal force");
-        check.add_number("pressure", force / scene.nominal_area, "Pa", "load over A_n");
+        // What was asked for is exact; the force of the contact has an error.
+        let load = at.load(scene).unwrap_or(force);
+        let pressure = at.pressure(scene).unwrap_or(force / scene.nominal_area);
+        check.add_number("load", load, "N", "normal force");
+        check.add_number("pressure", pressure, "Pa", "load over A_n");
         let (place, plane) =
             (place.map(|place| place.value), Datum::AsperityMean.name(&scene.heights));
         check.add_number("separation_over_sigma", place, "", format!("d/sigma_z, from {plane}"));
@@ -168,8 +171,6 @@ impl Check {
         check.add_number("area", area, "m2", format!("real area of contact, by {}", model.id()));
         check.add_number("area_fraction", fraction, "", "real over nominal area");
         check.extend(crowded(model, at, fraction).filter(|_| model.validity().asperities));
-        // A pressure that was asked for is exact; that of the force has an error.
-        let pressure = at.pressure(scene).unwrap_or(force / scene.nominal_area);
         check.extend(beyond_full_contact(model, scene, at, [pressure, fraction]));
         check.extend(sticks(model, scene));
         check.add_number("contacts", contacts, "", "asperities that touch");

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use asperity::{Code, ContactModel, Quantity, Request};
+use asperity::{At, Code, ContactModel, Quantity, Request};
 use asperity_scene::{SceneError, SceneFile, Unknown, parse};
 
 use crate::two_surfaces::HEAD;
@@ -242,6 +242,25 @@ fn one_end_of_every_range_is_taken_and_the_keys_are_written_again() {
     assert_eq!(modulus.ends, None);
     let index = check.numbers.iter().find(|number| number.name == "plasticity_index").unwrap();
     assert!(index.ends.is_some_and(|[lower, upper]| upper > 4.0 * lower));
+}
+
+/// Of a range of Ra and of two surfaces.
+#[test]
+fn a_check_has_the_ends_of_what_follows_from_a_range() {
+    let text = format!(
+        "{INTERFACE}[surface]\nra = [6e-7, 1.2e-6]\nfinish = \"ground\"\n\
+         counterface = {{ ra = 1.6e-6, finish = \"turned\" }}\n"
+    );
+    let file = parse(&text, Path::new(".")).unwrap();
+    let model = file.model("ke").unwrap();
+    let check = file.check(Some((&model, At::Load(1e3)))).unwrap();
+    let ends = |name: &str| check.numbers.iter().find(|one| one.name == name).unwrap().ends;
+    let [lower, upper] = ends("rq").unwrap();
+    assert!((lower / 7.14e-7 - 1.0).abs() < 1e-9 && (upper / 1.68e-6 - 1.0).abs() < 1e-9);
+    assert!(ends("pair_bandwidth").unwrap()[1] > 4.0 * ends("bandwidth").unwrap()[1]);
+    // Ends of answers are those of a curve.
+    assert_eq!(ends("area"), None);
+    assert_eq!(check.number("load"), Some(1e3));
 }
 
 const INTERFACE: &str = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
