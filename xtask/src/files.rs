@@ -37,7 +37,7 @@ fn all(folder: &Path) -> Result<Vec<Fresh>> {
         let found = all.iter().find(|(file, _)| *file == format!("{name}.csv"));
         found.map(|(_, text)| text.as_str()).with_context(|| name.to_owned())
     };
-    let world = world::summary::table(text, Evidence::committed()?)?;
+    let world = world::summary::table(text, &Evidence::with_models()?)?;
     all.push(("world.md".to_owned(), world));
     Ok(all)
 }

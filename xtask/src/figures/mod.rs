@@ -31,7 +31,7 @@ pub type FigureSpec = (&'static str, fn() -> Result<Table>, fn(&str) -> Result<F
 
 /// Models beside boundary elements.
 fn truth_table(which: usize) -> Result<Table> {
-    truth::table(Evidence::committed()?, &TRUTH[which])
+    truth::table(&Evidence::with_models()?, &TRUTH[which])
 }
 
 /// All figures: the paper's first.

@@ -37,7 +37,7 @@ const DATA: &str = "crates/answer/judge/data";
 pub fn write(solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
     let mut kept = Kept::in_folder(&target_folder().join("truth"))?;
     if !anew {
-        kept = kept.with_rows(Evidence::committed()?)?;
+        kept = kept.with_rows(&Evidence::with_models()?)?;
     }
     if solve_missing {
         solve(&[cases(FULL)?, ordinary::all()?].concat(), &kept)?;
@@ -50,7 +50,14 @@ pub fn write(solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
         ("-scans", Some(scans::table(&evidence, &scans::read()?)?)),
     ];
     let named = |(name, table): (&str, Option<String>)| Some((format!("truth{name}.md"), table?));
-    let mut paths = save(&root().join(DATA), [("truth.csv".to_owned(), text)])?;
+    let own = Evidence::COLUMNS.split(',').count();
+    let cells = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let parts: Vec<_> = cells
+        .map(|cells| [&cells[..own], &cells[own..]].map(|part| part.join(",") + "\n"))
+        .collect();
+    let part = |k: usize| parts.iter().map(|parts| &*parts[k]).collect::<String>();
+    let files = [("truth.csv".to_owned(), part(0)), ("truth-models.csv".to_owned(), part(1))];
+    let mut paths = save(&root().join(DATA), files)?;
     paths.extend(save(&figures_folder(), tables.into_iter().filter_map(named))?);
     Ok(paths)
 }

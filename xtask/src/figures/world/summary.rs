@@ -96,7 +96,7 @@ mod tests {
                 _ => "panel,curve,x,value\ngap,gw,0.01,1.5\ngap,gw,0.5,9\n",
             })
         };
-        let found = table(csv, Evidence::committed()?)?;
+        let found = table(csv, &Evidence::with_models()?)?;
         let line = |start: &str| found.lines().find(|line| line.starts_with(start));
         // Of 0.8 and 1.1, √(0.05/2).
         assert!(line("| `ke` | 10 | 16 | – |").is_some(), "{found}");

@@ -38,10 +38,13 @@ pub struct Evidence {
 }
 
 impl Evidence {
-    /// The committed table, a csv with the columns [`COLUMNS`](Self::COLUMNS) and four for each
-    /// model: area, stiffness and unloading stiffness over those of boundary elements, and the mean
-    /// gap less that of boundary elements over √m₀, all in thousandths; empty if not available.
+    /// The committed table, a csv with the columns [`COLUMNS`](Self::COLUMNS).
     pub const CSV: &'static str = include_str!("../../data/truth.csv");
+
+    /// Columns of models beside those of the table, four for each: area, stiffness and unloading
+    /// stiffness over those of boundary elements, and the mean gap less that of boundary elements
+    /// over √m₀, all in thousandths; empty if not available. No answer needs them.
+    pub const MODELS: &'static str = include_str!("../../data/truth-models.csv");
 
     /// Columns of the cases and of boundary elements: means over the surfaces and their standard
     /// errors. Stiffnesses -dp/d(gap) are in units of E/√m₀, mean gaps in √m₀: distances of the
@@ -72,7 +75,21 @@ impl Evidence {
         READ.get_or_init(|| Self::parse(Self::CSV)).as_ref().map_err(Clone::clone)
     }
 
-    /// Reads evidence from a text like [`CSV`](Self::CSV).
+    /// The lines of the committed table with those of models behind them.
+    pub fn lines_with_models() -> impl Iterator<Item = String> {
+        let lines = Self::CSV.lines().zip(Self::MODELS.lines());
+        lines.map(|(own, models)| format!("{own},{models}"))
+    }
+
+    /// The committed evidence with the results of models.
+    ///
+    /// # Errors
+    /// The errors of [`parse`](Self::parse).
+    pub fn with_models() -> Result<Self, ContactError> {
+        Self::parse(&Self::lines_with_models().collect::<Vec<_>>().join("\n"))
+    }
+
+    /// Reads evidence from a text like [`CSV`](Self::CSV), if need be with columns of models.
     ///
     /// # Errors
     /// [`ContactError::Refused`] with line, column and content of the first invalid field, or if

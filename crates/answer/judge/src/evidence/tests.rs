@@ -23,7 +23,7 @@ fn unit() -> f64 {
 
 #[test]
 fn the_committed_table_is_complete() {
-    let evidence = Evidence::committed().unwrap();
+    let evidence = Evidence::with_models().unwrap();
     for case in evidence.cases() {
         let area = case.bem.value(Compared::Area).unwrap();
         let error = case.bem.error(Compared::Area).unwrap();
@@ -39,12 +39,7 @@ fn the_committed_table_is_complete() {
 #[test]
 fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
     let evidence = Evidence::committed().unwrap();
-    let cut = |line: &str| {
-        let own: Vec<&str> = line.split(',').take(16).collect();
-        own.join(",")
-    };
-    let bare: Vec<String> = Evidence::CSV.lines().map(cut).collect();
-    let bare = Evidence::parse(&bare.join("\n")).unwrap();
+    let with_models = Evidence::with_models().unwrap();
     let meets = |ends: [f64; 2], from: f64, to: f64| ends[0] < to && from < ends[1];
     let [mut areas, mut inside_area, mut stiffnesses, mut inside] = [0.0; 4];
     for case in evidence.cases().iter().filter(|case| case.skewness == 0.0).step_by(3) {
@@ -74,7 +69,7 @@ fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
             stiffnesses += 1.0;
             inside += f64::from(meets(ends, lowest, highest));
         }
-        assert_eq!(bare.expected(&scene, Some(shape), pressure, None).unwrap(), found);
+        assert_eq!(with_models.expected(&scene, Some(shape), pressure, None).unwrap(), found);
     }
     // The interval holds nine of ten, and these rows are part of the table.
     println!("{inside_area} of {areas} areas, {inside} of {stiffnesses} stiffnesses");
@@ -198,7 +193,7 @@ fn separations_are_interpolated_up_to_most_of_the_hardness() {
 /// Leaves out each family of surfaces in turn: the interval that the others give holds its ratios.
 #[test]
 fn families_left_out_lie_in_their_interval() {
-    let evidence = Evidence::committed().unwrap();
+    let evidence = Evidence::with_models().unwrap();
     let mut families: Vec<Coordinates> = vec![];
     for place in &evidence.places {
         if !families.iter().any(|family| family.same_family(place)) {
@@ -333,7 +328,7 @@ fn gaps_fall_as_the_stiffness_tells() {
 /// nearest end of the others.
 #[test]
 fn beyond_what_was_solved_values_are_nearer_than_models() {
-    let evidence = Evidence::committed().unwrap();
+    let evidence = Evidence::with_models().unwrap();
     type Kind = (&'static str, fn(&Coordinates) -> bool, [f64; 4]);
     // Largest medians of the differences from what was solved: logarithms, and gaps over Sq.
     let kinds: [Kind; 5] = [
