@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use asperity::bem::Bem;
 use asperity::{
     At, Best, Contact, ContactError, ContactModel, Datum, Described, Finding, Model, Quantity,
-    Request, SeparationUnit, linspace, short,
+    Request, SeparationUnit, linspace,
 };
 
 use super::error_bound::bounds;
@@ -15,8 +15,6 @@ use crate::subject::{Outcome, Subject};
 
 /// More nodes than this are not added to meet an error.
 const MOST_NODES: usize = 100_000;
-/// Halvings in the search for the end of evidence.
-const BISECTIONS: usize = 12;
 
 /// One node.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -120,8 +118,6 @@ impl Builder {
     fn between(&self, ends: [At; 2], count: usize, error: Option<f64>) -> Outcome<ContactTable> {
         let even = self.even(ends, count)?;
         let Some(error) = error else { return self.table(even) };
-        // Before nodes are added without end where the pressure jumps.
-        self.check_evidence(&even)?;
         asperity::positive("error", error)?;
         let mut nodes = vec![even[0]];
         // Intervals still to be looked at, the next one on top.
@@ -197,29 +193,7 @@ impl Builder {
         separations.into_iter().map(|s| self.node(s)).collect()
     }
 
-    /// Refuses a range in which evidence ends: its gaps and those of a model do not meet there.
-    fn check_evidence(&self, nodes: &[ContactNode]) -> Outcome {
-        let known = |separation: f64| self.contact.interval_at(None, separation.into()).is_some();
-        let all: Vec<bool> = nodes.iter().map(|node| known(node.separation)).collect();
-        let Some(k) = all.windows(2).position(|pair| pair[0] != pair[1]) else { return Ok(()) };
-        // Where, by bisection.
-        let [mut one, mut other] = [nodes[k].separation, nodes[k + 1].separation];
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (one + other);
-            *(if known(middle) == all[k] { &mut one } else { &mut other }) = middle;
-        }
-        let end = if all[k] { one } else { other };
-        Err(format!(
-            "evidence ends at {} Pa, where the pressure would jump; give a range on one side, or name a model",
-            short(self.node(end)?.pressure)
-        )
-        .into())
-    }
-
     fn table(&self, nodes: Vec<ContactNode>) -> Outcome<ContactTable> {
-        if !self.is_solved {
-            self.check_evidence(&nodes)?;
-        }
         let mut most = [0.0_f64; 2];
         for (from, to) in nodes.iter().zip(&nodes[1..]) {
             if !self.monotone(from, to) {

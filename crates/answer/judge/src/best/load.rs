@@ -6,9 +6,9 @@ use crate::evidence::Compared;
 use asperity_core::{Datum, Separation, SeparationUnit};
 
 /// Ratio of neighbouring pressures between which a gap is looked for.
-const STEP: f64 = 1.5;
+const STEP: f64 = 2.0;
 /// Pressures over the equivalent modulus that may have evidence.
-const LIGHTEST: f64 = 1e-9;
+const LIGHTEST: f64 = 1e-15;
 const HEAVIEST: f64 = 1.0;
 const MOST_STEPS: usize = 60;
 
