@@ -77,7 +77,8 @@ def answer(
 ) -> Answer:
     """What is known best about the scene under loads: by boundary elements on its scan, where that
     was solved; else as they are expected from solved surfaces, with an interval that holds nine
-    of ten; else by the first valid model, without one. The model "best" gives the same numbers.
+    of ten between these and without one beyond them; else, as with adhesion, by the first valid
+    model. The model "best" gives the same numbers.
 
     ``solve=True`` solves the scan at the loads; ``solved`` takes what ``asperity.bem`` has
     solved. By default the quantities are area, tangent, unloading-stiffness and, as the scene
