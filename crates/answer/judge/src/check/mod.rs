@@ -121,7 +121,7 @@ impl Check {
 
     /// The same for a model with these contacts: of models of pairs, [those between both
     /// surfaces](Scene::of_contacts), whose critical interference and numbers of both surfaces it
-    /// has. All other numbers are those of one surface.
+    /// has. All other numbers are of one surface.
     ///
     /// # Errors
     /// The errors of [`of`](Self::of).

@@ -17,7 +17,7 @@ const SOFTEST: f64 = 1.5e-3;
 const RUBBER: f64 = 1e8;
 /// Modulus \[Pa\] below which a material is a polymer or softer.
 const PLASTIC: f64 = 3e9;
-/// Hardness \[Pa\] above that of all polymers.
+/// Hardness \[Pa\] that no polymer has.
 const METAL: f64 = 5e8;
 /// Smallest H/E of polymers.
 const PLASTIC_RATIO: f64 = 0.02;

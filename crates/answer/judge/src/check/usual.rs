@@ -58,7 +58,7 @@ const USUAL: [Usual; 30] = [
     // Of profiles and of random surfaces, from atoms to waviness.
     (&["rsm", "wavelength"], [1e-10, 0.05], 1e-4, "m"),
     (&["mean_plane_offset"], [-2e-3, 2e-3], 1e-6, "m"),
-    // Of gases and liquids; the jump distance is that of air at 1e-4 bar at most.
+    // Of gases and liquids; the jump distance is at most as of air at 1e-4 bar.
     (&["gas_conductivity"], [1e-3, 100.0], 0.03, "W/(m K)"),
     (&["gas_parameter"], [0.0, 5e-3], 4e-7, "m"),
     // From tips of probes to nearly conforming bodies.

@@ -51,7 +51,7 @@ pub enum Compared {
     /// [`Evidence::GRADIENT`](crate::Evidence::GRADIENT), in proportion to which it grows.
     Stiffness,
     /// Stiffness at the start of unloading, with which conductances and the tangential stiffness
-    /// go; in rows as that of first loading.
+    /// go; in rows in the same unit.
     UnloadingStiffness,
     /// Mean gap; in rows over √m₀.
     MeanGap,

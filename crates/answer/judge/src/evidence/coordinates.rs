@@ -20,7 +20,7 @@ const LIGHTER: f64 = 30.0;
 const BEYOND_SKEWNESS: f64 = 0.2;
 /// Asperities in contact for each patch of at least 12 pixels: 1.6 to 2.6 at α of 45 to 2.8.
 const CONTACTS_PER_PATCH: f64 = 2.0;
-/// Hurst exponents from which stiffness and gap are those of the solved surfaces.
+/// Hurst exponents from which stiffness and gap are as on the solved surfaces.
 pub(crate) const LEAST_HURST: f64 = 0.6;
 /// Ratio of slopes below which a surface counts as isotropic.
 const ISOTROPIC: f64 = 1.25;
@@ -39,7 +39,7 @@ pub struct SurfaceShape {
     /// Rms slope across the lay over that along it, at least 1.
     pub slope_ratio: f64,
     /// Hurst exponent of the spectrum, if it follows a power law and is known. Stiffnesses and gaps
-    /// of broad spectra are refused where it is far from that of the solved surfaces, 0.8.
+    /// of broad spectra have no interval where it is far from 0.8, which the solved surfaces have.
     pub hurst: Option<f64>,
 }
 
@@ -88,7 +88,7 @@ impl SurfaceShape {
 /// What is known of a spectrum beyond its bandwidth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Spectrum {
-    /// A power law with a Hurst exponent near that of the solved surfaces.
+    /// A power law with a Hurst exponent near 0.8, which the solved surfaces have.
     Like,
     /// A power law with another exponent, or of no scan.
     Unlike,

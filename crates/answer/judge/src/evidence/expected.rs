@@ -104,7 +104,7 @@ impl ExpectedContact {
         (quantity.name(), reason)
     }
 
-    /// Whether the spectrum is broad, with more short waves than those of the solved surfaces.
+    /// Whether the spectrum is broad, with more short waves than solved surfaces have.
     fn is_rough(&self) -> bool {
         is_rough(self.alpha, self.hurst)
     }

@@ -78,8 +78,8 @@ impl Compared {
     }
 }
 
-/// Standard deviations of the process; they and those of the scatter were fitted to half of the
-/// fresh scans of `figures/truth-scans.md` and to families left out.
+/// Standard deviations of the process; they and the scatter were fitted to half of the fresh scans
+/// of `figures/truth-scans.md` and to families left out.
 fn spread(quantity: Compared) -> Spread {
     let [amplitude, skewness, spectrum] = match quantity {
         Compared::Area => [0.08, 0.3, 0.002],
@@ -107,8 +107,8 @@ struct Scatter {
     few: f64,
     /// Of a surface with few long waves, times the square root of their number.
     waves: f64,
-    /// Between spectra of one bandwidth per unit of ln α: with a Hurst exponent like that of the
-    /// solved ones, with another one, and of scans that follow no power law, of which few were
+    /// Between spectra of one bandwidth per unit of ln α: with a Hurst exponent as the solved
+    /// ones have, with another one, and of scans that follow no power law, of which few were
     /// solved.
     spectrum: [f64; 3],
     /// The power with which the first two fall under heavy loads.

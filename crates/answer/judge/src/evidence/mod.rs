@@ -41,9 +41,9 @@ impl Evidence {
     /// The committed table, a csv with the columns [`COLUMNS`](Self::COLUMNS).
     pub const CSV: &'static str = include_str!("../../data/truth.csv");
 
-    /// Columns of models beside those of the table, four for each: area, stiffness and unloading
-    /// stiffness over those of boundary elements, and the mean gap less that of boundary elements
-    /// over √m₀, all in thousandths; empty if not available. No answer needs them.
+    /// Further columns, four for each model: ratios of its area, stiffness and unloading
+    /// stiffness to boundary elements, and its mean gap less theirs over √m₀, all in thousandths;
+    /// empty if not available. No answer needs them.
     pub const MODELS: &'static str = include_str!("../../data/truth-models.csv");
 
     /// Columns of the cases and of boundary elements: means over the surfaces and their standard
@@ -75,7 +75,7 @@ impl Evidence {
         READ.get_or_init(|| Self::parse(Self::CSV)).as_ref().map_err(Clone::clone)
     }
 
-    /// The lines of the committed table with those of models behind them.
+    /// The lines of the committed table, each with the columns of models.
     pub fn lines_with_models() -> impl Iterator<Item = String> {
         let lines = Self::CSV.lines().zip(Self::MODELS.lines());
         lines.map(|(own, models)| format!("{own},{models}"))

@@ -157,7 +157,7 @@ mod tests {
         skewed.shape.skewness = -1.0;
         let [same, unknown] = process.at(&skewed);
         assert!((same - value).abs() < 1e-9 && unknown > 0.55, "{unknown}");
-        // The broader the spectra, the more those of one bandwidth differ.
+        // The broader the spectra, the more surfaces of one bandwidth differ.
         let broad = Spread { amplitude: 0.5, skewness: 0.6, spectrum: 0.03 };
         let [little, much] =
             [3.0, 17.0].map(|a| broad.of_family(&solved_value(a, 3e-3, 0.0).place));
