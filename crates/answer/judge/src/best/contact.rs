@@ -138,18 +138,20 @@ impl<M: Answering> BestContact<M> {
     }
 
     fn expected(&self, pressure: f64) -> Result<ExpectedContact, ContactError> {
-        self.expected_of(&Compared::ALL, pressure)
+        self.expected_of(&Compared::ALL, pressure, self.counted.at(pressure))
     }
 
+    /// What is expected of some quantities. Intervals depend on the number of `contacts`, values
+    /// do not.
     pub(super) fn expected_of(
         &self,
         quantities: &[Compared],
         pressure: f64,
+        contacts: Option<f64>,
     ) -> Result<ExpectedContact, ContactError> {
         if let Some(unlike) = &self.best.unlike {
             return Err(unlike.clone());
         }
-        let contacts = self.counted.at(pressure);
         let (evidence, shape) = (Evidence::committed()?, self.best.shape);
         evidence.expected_of(quantities, &self.scene, shape, pressure, contacts)
     }

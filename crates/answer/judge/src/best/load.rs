@@ -16,7 +16,7 @@ impl<M: Answering> BestContact<M> {
     /// The mean gap that is expected at a mean pressure.
     fn gap_at(&self, pressure: f64) -> Option<f64> {
         let of = Compared::MeanGap;
-        let expected = self.expected_of(&[of], pressure).ok()?;
+        let expected = self.expected_of(&[of], pressure, None).ok()?;
         let estimate = expected.estimate(of).filter(|_| !expected.extrapolated);
         let known = || Some(self.expected_value(of, pressure)?.value);
         estimate.map(|one| one.value).or_else(known)
