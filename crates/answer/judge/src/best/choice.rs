@@ -6,7 +6,7 @@ use super::candidates::{AllJudged, Candidate, Judged, OnDemand};
 use super::contact::BestContact;
 use super::model::Answering;
 use crate::evidence::{Compared, ExpectedContact};
-use crate::recommended::ANSWERING;
+use crate::recommended::{ANSWERING, usual_reference};
 use asperity_core::{At, ContactError, Finding, Scene};
 
 /// A model beside the answer.
@@ -46,12 +46,21 @@ impl<M: Answering> BestContact<M> {
     ) -> impl Iterator<Item = (&'a Candidate<M>, &'j Judged)> {
         let models = self.models();
         let judged = judged.get_or_init(|| models.iter().map(|_| OnceLock::new()).collect());
-        models.iter().zip(judged).filter_map(move |((model, made), judged)| {
-            let made =
-                made.get_or_init(|| Candidate::new(model.clone(), &self.scene, &self.request));
-            let one = made.as_ref()?;
+        models.iter().zip(judged).filter_map(move |(one, judged)| {
+            let one = self.made(one)?;
             Some((one, judged.get_or_init(|| one.judged(at))))
         })
+    }
+
+    fn made<'a>(&'a self, (model, made): &'a OnDemand<M>) -> Option<&'a Candidate<M>> {
+        let new = || Candidate::new(model.clone(), &self.scene, &self.request);
+        made.get_or_init(new).as_ref()
+    }
+
+    /// The usual reference model of the scene.
+    pub(super) fn usual(&self) -> Option<&Candidate<M>> {
+        let id = usual_reference(&self.scene);
+        self.models().iter().find(|(model, _)| model.id() == id).and_then(|one| self.made(one))
     }
 
     /// The first valid model with a value, or the first with one and why it is not valid.
@@ -117,15 +126,10 @@ impl<M: Answering> BestContact<M> {
     pub fn by(&self, of: Compared, at: At) -> Option<&M> {
         let place = self.place(at);
         let expected = place.expected.as_ref().ok().zip(place.pressure);
-        // Beyond solved loads gaps change as the stiffness tells.
-        let of = match expected {
-            Some((expected, _)) if expected.extrapolated && of == Compared::MeanGap => {
-                Compared::Stiffness
-            }
-            _ => of,
-        };
-        let nearest = expected.and_then(|(expected, own)| self.nearest(of, expected, own));
-        let nearest = nearest.map(|(one, _)| one);
+        let nearest = expected.and_then(|(expected, own)| match expected.extrapolated {
+            true => self.keeping(of, expected, own),
+            false => Some(self.nearest(of, expected, own)?.0),
+        });
         let first = || self.first(of, at).ok().map(|(one, ..)| one);
         nearest.or_else(first).map(|one| &one.model)
     }

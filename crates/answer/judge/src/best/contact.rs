@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use super::adhesion::Adhesion;
 use super::candidates::{Counted, OnDemand, Place, SharedPlace};
 use super::model::{Answering, Best, SolvedContact};
 use crate::evidence::{Compared, Evidence, ExpectedContact};
@@ -28,10 +29,13 @@ const SAME: f64 = 1e-12;
 pub struct BestContact<M> {
     pub(super) best: Best<M>,
     pub(super) scene: Scene,
+    /// Whether the hardness of the scene was left out, as it is never reached.
+    pub(super) never_yields: bool,
     pub(super) request: Request,
     /// What was asked for, and that by which answers are judged.
     quantities: Vec<Quantity>,
     counted: Counted,
+    adhesion: Option<Adhesion>,
     pub(super) candidates: OnceLock<Vec<OnDemand<M>>>,
     pub(super) gaps: Gaps,
     places: Mutex<BTreeMap<(bool, u64), SharedPlace>>,
@@ -69,13 +73,30 @@ impl<M: Answering> BestContact<M> {
         request: &Request,
     ) -> Result<Self, ContactError> {
         let (places, candidates, gaps) = Default::default();
-        let (scene, request) = (scene.clone(), request.clone());
-        scene.asperity()?;
+        let (mut scene, request) = (scene.clone(), request.clone());
+        // Asperities so hard do not yield at any interference.
+        let never_yields =
+            scene.asperity()?.hardness.is_some() && scene.plasticity_index().is_err();
+        if never_yields {
+            (scene.interface.hardness, scene.interface.yield_strength) = (None, None);
+        }
         let counted = Counted::on::<M>(&scene)?;
+        let adhesion = Adhesion::on::<M>(&scene);
         let judged = Quantity::JUDGED.into_iter();
         let judged = judged.filter(|one| !request.quantities.contains(one));
         let quantities = request.quantities.iter().copied().chain(judged).collect();
-        let made = Self { best, scene, request, quantities, counted, candidates, gaps, places };
+        let made = Self {
+            best,
+            scene,
+            never_yields,
+            request,
+            quantities,
+            counted,
+            adhesion,
+            candidates,
+            gaps,
+            places,
+        };
         // A quantity that it lacks, or whose property the scene lacks.
         for quantity in &made.request.quantities {
             match Compared::behind(*quantity) {
@@ -86,6 +107,9 @@ impl<M: Answering> BestContact<M> {
         }
         Ok(made)
     }
+
+    /// The property that answers by solved surfaces leave out.
+    pub(super) const ADHESION: &'static str = "adhesion";
 
     fn lacks(&self, quantity: Quantity) -> ContactError {
         self.unsupported(&match quantity {
@@ -138,7 +162,12 @@ impl<M: Answering> BestContact<M> {
     }
 
     fn expected(&self, pressure: f64) -> Result<ExpectedContact, ContactError> {
-        self.expected_of(&Compared::ALL, pressure, self.counted.at(pressure))
+        let mut found = self.expected_of(&Compared::ALL, pressure, self.counted.at(pressure))?;
+        if let Some(reason) = self.adhesion.as_ref().and_then(|adhesion| adhesion.at(pressure)) {
+            found.values.iter_mut().for_each(|(_, one)| one.ends = None);
+            found.outside = Some((Self::ADHESION, reason));
+        }
+        Ok(found)
     }
 
     /// What is expected of some quantities. Intervals depend on the number of `contacts`, values
@@ -195,7 +224,7 @@ impl<M: Answering> BestContact<M> {
             if let Some(&value) = solved.and_then(|solved| solved.values.get(&of)) {
                 return Ok(Known { value, ends: None, source: Source::Solved, error: ROUNDED });
             }
-            if let Some(known) = self.expected_value(of, pressure) {
+            if let Some(known) = self.expected_value(of, pressure)? {
                 return Ok(known);
             }
         }

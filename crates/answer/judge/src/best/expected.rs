@@ -1,75 +1,112 @@
 //! What boundary elements are expected to give, also beyond the loads that were solved.
 
+use super::candidates::Candidate;
 use super::contact::{BestContact, Known, ROUNDED, Source};
 use super::model::Answering;
 use crate::evidence::{Compared, Estimate, ExpectedContact};
-use asperity_core::{Asperity, At};
+use asperity_core::{At, ContactError, short};
 
 impl<M: Answering> BestContact<M> {
-    /// What boundary elements are expected to give. Under loads that were not solved, the ratio to
-    /// the nearest model at the nearest solved one is kept.
-    pub(super) fn expected_value(&self, of: Compared, pressure: f64) -> Option<Known> {
-        // No contact carries more than the hardness or, by small strains, the modulus.
-        if self.least_area(pressure) > 1.0 {
-            return None;
+    /// What boundary elements are expected to give; none on surfaces of another kind. Under loads
+    /// that were not solved, the ratio to a model at the nearest solved one is kept.
+    ///
+    /// # Errors
+    /// [`ContactError::Refused`] where no contact has so much.
+    pub(super) fn expected_value(
+        &self,
+        of: Compared,
+        pressure: f64,
+    ) -> Result<Option<Known>, ContactError> {
+        let (most, what) = self.most()?;
+        if pressure > most {
+            let ratio = short(pressure / most);
+            let why =
+                format!("the mean pressure is {ratio} times the {what}, which no contact carries");
+            return Err(self.refused(why));
         }
         let place = self.place(At::Pressure(pressure));
-        let expected = place.expected.as_ref().ok()?;
-        match expected.estimate(of) {
-            Some(_) if expected.extrapolated => self.kept_ratio(of, pressure, expected),
-            Some(Estimate { value, ends }) => {
-                Some(Known { value, ends, source: Source::Evidence, error: ROUNDED })
+        let Ok(expected) = &place.expected else { return Ok(None) };
+        if let Some(Estimate { value, ends }) = expected.estimate(of)
+            && !expected.extrapolated
+        {
+            return Ok(Some(Known { value, ends, source: Source::Evidence, error: ROUNDED }));
+        }
+        let heaviest = of.highest_pressure() * most * (1.0 - ROUNDED);
+        let known = match expected.estimate(of) {
+            Some(_) => self.kept_ratio(of, pressure, expected),
+            None if pressure > heaviest => {
+                let place = self.place(At::Pressure(heaviest));
+                let known = place.expected.as_ref().ok();
+                let known = known.and_then(|expected| self.kept_ratio(of, pressure, expected));
+                known.map(|known| Known { ends: None, ..known })
             }
-            None => {
-                let hardness = self.scene.asperity().ok()?.hardness?;
-                let heaviest = of.highest_pressure() * hardness * (1.0 - ROUNDED);
-                let place = (heaviest < pressure).then(|| self.place(At::Pressure(heaviest)))?;
-                let known = self.kept_ratio(of, pressure, place.expected.as_ref().ok()?)?;
-                Some(Known { ends: None, ..known })
+            None => None,
+        };
+        // Where little has flowed, the mean planes do not pass each other.
+        match known {
+            Some(Known { value, .. }) if of == Compared::MeanGap && value < 0.0 => {
+                Err(self.refused("the mean gap is below 0, which cannot be".into()))
             }
+            known => Ok(known),
         }
     }
 
-    /// What is expected at a pressure by what is expected at another, as the nearest model changes.
+    /// What is expected at a pressure by what is expected at another, as a model changes.
     fn kept_ratio(&self, of: Compared, pressure: f64, at: &ExpectedContact) -> Option<Known> {
         let Estimate { value, ends } = at.estimate(of)?;
         let there = At::Pressure(at.pressure);
-        // Gaps change as the stiffness tells, whose ratio to the model is kept.
-        let by = if of == Compared::MeanGap { Compared::Stiffness } else { of };
-        let nearest = self.nearest(by, at, pressure).map(|(model, _)| model);
-        let model = nearest.or_else(|| Some(self.first(by, there).ok()?.0))?;
-        let [light, own] = [there, At::Pressure(pressure)].map(|at| model.value(of, at).ok());
-        let (light, own) = light.zip(own)?;
+        let model = self.keeping(of, at, pressure)?;
+        let [known, own] = [there, At::Pressure(pressure)].map(|at| model.value(of, at).ok());
+        let (known, own) = known.zip(own)?;
         let softer = || {
-            let known = self.expected_value(Compared::Stiffness, at.pressure)?.value;
+            let known = at.estimate(Compared::Stiffness)?.value;
             Some(model.value(Compared::Stiffness, there).ok()? / known)
         };
         let kept = |x: f64| match of {
-            Compared::MeanGap => x + (own - light) * softer().unwrap_or(1.0),
-            _ => x * (own / light),
+            Compared::MeanGap => x + (own - known) * softer().unwrap_or(1.0),
+            _ => x * (own / known),
         };
-        // A contact carries the load at the hardness, and unloads at least as stiff.
-        let least = match of {
-            Compared::Area => self.least_area(pressure),
-            Compared::UnloadingStiffness => {
-                let loading = self.expected_value(Compared::Stiffness, pressure);
-                loading.map_or(0.0, |loading| loading.value)
+        // A contact carries the load at the hardness, has no more area than there is, and unloads
+        // at least as stiff.
+        let [value, low, high] = match (of, ends.unwrap_or([value; 2])) {
+            (Compared::Area, [low, high]) => {
+                let least = pressure / self.most().ok()?.0;
+                [value, low, high].map(|x| kept(x).max(least).min(1.0))
             }
-            _ => f64::NEG_INFINITY,
+            (Compared::UnloadingStiffness, [low, high]) => {
+                let loading = self.expected_value(Compared::Stiffness, pressure).ok().flatten();
+                let least =
+                    loading.map(|known| (known.value, known.ends.unwrap_or([known.value; 2])));
+                let (least, [least_low, least_high]) = least.unwrap_or_default();
+                [kept(value).max(least), kept(low).max(least_low), kept(high).max(least_high)]
+            }
+            (_, [low, high]) => [value, low, high].map(kept),
         };
-        let most = if of == Compared::Area { 1.0 } else { f64::INFINITY };
-        let kept = |x: f64| kept(x).max(least).min(most);
-        let (value, ends) = (kept(value), ends.map(|ends| ends.map(kept)));
-        // Only what has flowed overlaps.
-        let overlaps = of == Compared::MeanGap && value < 0.0;
-        let is_elastic = || self.scene.asperity().is_ok_and(|asperity| asperity.hardness.is_none());
-        let known = Known { value, ends, source: Source::Evidence, error: ROUNDED };
-        Some(known).filter(|_| !(overlaps && is_elastic()))
+        let ends = ends.map(|_| [low, high]);
+        Some(Known { value, ends, source: Source::Evidence, error: ROUNDED })
     }
 
-    /// The least share of the nominal area that carries a pressure.
-    fn least_area(&self, pressure: f64) -> f64 {
-        let most = |asperity: Asperity| asperity.hardness.unwrap_or(asperity.equivalent_modulus);
-        self.scene.asperity().map_or(0.0, |asperity| pressure / most(asperity))
+    /// The model whose ratio at a solved pressure is kept at another.
+    pub(super) fn keeping(
+        &self,
+        of: Compared,
+        at: &ExpectedContact,
+        pressure: f64,
+    ) -> Option<&Candidate<M>> {
+        // Gaps change as the stiffness tells.
+        let of = if of == Compared::MeanGap { Compared::Stiffness } else { of };
+        // Under light loads models of asperities change alike: one does not give way to another.
+        let usual = || self.usual().filter(|one| one.value(of, At::Pressure(pressure)).is_ok());
+        let usual = if pressure < at.pressure { usual() } else { None };
+        let nearest = || Some(self.nearest(of, at, pressure)?.0);
+        let first = || Some(self.first(of, At::Pressure(at.pressure)).ok()?.0);
+        usual.or_else(nearest).or_else(first)
+    }
+
+    /// The largest mean pressure \[Pa\], the hardness or, by small strains, the modulus.
+    fn most(&self) -> Result<(f64, &'static str), ContactError> {
+        let asperity = self.scene.asperity()?;
+        let modulus = (asperity.equivalent_modulus, "equivalent modulus");
+        Ok(asperity.hardness.map_or(modulus, |hardness| (hardness, "hardness")))
     }
 }

@@ -18,7 +18,7 @@ impl<M: Answering> BestContact<M> {
         let of = Compared::MeanGap;
         let expected = self.expected_of(&[of], pressure, None).ok()?;
         let estimate = expected.estimate(of).filter(|_| !expected.extrapolated);
-        let known = || Some(self.expected_value(of, pressure)?.value);
+        let known = || Some(self.expected_value(of, pressure).ok()??.value);
         estimate.map(|one| one.value).or_else(known)
     }
 

@@ -23,7 +23,8 @@ impl<M: Answering> BestContact<M> {
         let note = |code, field| Finding::note(code, field, f64::NAN).of_model(Best::<M>::ID);
         let behind = self.request.quantities.iter().filter_map(|q| Compared::behind(*q));
         let interface = &self.scene.interface;
-        if interface.softer_hardness().is_none() && interface.equivalent_modulus > SOFTEST_METAL {
+        let is_metal = interface.equivalent_modulus > SOFTEST_METAL;
+        if interface.softer_hardness().is_none() && is_metal && !self.never_yields {
             let fact = "no body has a hardness, and the contacts are taken as elastic";
             let found = Finding::warning(Code::NoHardness, "hardness", f64::NAN).fact(fact);
             let advice =
@@ -46,7 +47,7 @@ impl<M: Answering> BestContact<M> {
                 let fact = "the load is below the lightest solved one, whose ratios to the nearest model are kept";
                 add(note(Code::Extrapolated, "load").fact(fact));
             }
-            let mut open: BTreeMap<_, BTreeSet<Compared>> = BTreeMap::new();
+            let mut open: BTreeMap<String, (&str, BTreeSet<Compared>)> = BTreeMap::new();
             for of in behind.clone() {
                 let (field, reason) = self.why(of, at);
                 match self.known(of, at) {
@@ -58,12 +59,18 @@ impl<M: Answering> BestContact<M> {
                         deep.into_iter().for_each(&mut add);
                     }
                     Ok(Known { source: Source::Evidence, ends: None, .. }) => {
-                        open.entry((field, reason)).or_default().insert(of);
+                        if field == Self::ADHESION {
+                            let found = Finding::warning(Code::Sticks, field, f64::NAN);
+                            add(found.fact(reason).of_model(Best::<M>::ID));
+                            continue;
+                        }
+                        let (_, all) = open.entry(reason).or_insert((field, BTreeSet::new()));
+                        all.insert(of);
                     }
                     _ => {}
                 }
             }
-            for ((field, reason), all) in open {
+            for (reason, (field, all)) in open {
                 let labels: Vec<_> = all.into_iter().map(Compared::label).collect();
                 let fact = format!("{} without an interval: {reason}", labels.join(", "));
                 add(note(Code::Extrapolated, field).fact(fact));

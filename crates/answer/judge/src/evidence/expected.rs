@@ -33,8 +33,7 @@ pub struct ExpectedContact {
     pub pressure: f64,
     /// Whether the load is outside of the solved ones, where ratios to models are kept.
     pub extrapolated: bool,
-    /// The property that is outside of the solved ones, and their range: the values are at the
-    /// nearest end of it, without intervals.
+    /// The property that is outside of the solved ones, with the reason why there are no intervals.
     pub outside: Option<Outside>,
     /// Solved surfaces of the nearest family.
     pub surfaces: usize,
@@ -75,12 +74,8 @@ impl ExpectedContact {
     #[must_use]
     pub fn undetermined(&self, quantity: Compared) -> Outside {
         let highest = quantity.highest_pressure();
-        if let Some((property, reason)) = &self.outside {
-            let how = match self.extrapolated {
-                true => "the ratio to the nearest model there is kept",
-                false => "taken at the nearest end",
-            };
-            return (property, format!("{reason}; {how}"));
+        if let Some(outside) = &self.outside {
+            return outside.clone();
         }
         let hurst = self.hurst.filter(|_| quantity != Compared::Area && self.is_rough());
         let reason = match (hurst, self.contacts) {
@@ -92,7 +87,7 @@ impl ExpectedContact {
                 )
             }
             _ if self.pressure_over_hardness > highest => format!(
-                "it is interpolated up to {highest} H, and the pressure is {} H; the ratio to the nearest model is kept",
+                "it is interpolated up to {highest} H, and the pressure is {} H; the ratio to a model there is kept",
                 short(self.pressure_over_hardness)
             ),
             (_, few) if few < 1.0 => format!("less than one asperity touches ({})", short(few)),
@@ -221,12 +216,18 @@ impl Evidence {
         };
         let mut values: Vec<_> = quantities.iter().filter_map(estimate).collect();
         unload_stiffer(&mut values);
+        let extrapolated = load.total_cmp(&own.load).is_ne();
+        let how = match extrapolated {
+            true => "the ratio to a model there is kept",
+            false => "taken at the nearest end",
+        };
+        let outside = outside.map(|(property, reason)| (property, format!("{reason}; {how}")));
         Ok(ExpectedContact {
             alpha: own.alpha,
             plasticity_index: own.index,
             shape: own.shape,
             pressure: load * unit,
-            extrapolated: load.total_cmp(&own.load).is_ne(),
+            extrapolated,
             outside,
             surfaces: self.surfaces_near(&place),
             values,
