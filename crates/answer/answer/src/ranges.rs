@@ -1,7 +1,7 @@
 //! Answers on a scene whose numbers are known within ranges: every number with its lower and upper
 //! end.
 
-use asperity::{Best, Code, Compared, Model, Quantity, map_runs};
+use asperity::{Code, Finding, Quantity, map_runs};
 use asperity_scene::{Description, Points, SceneFile, Unknown};
 
 use crate::models::grouped;
@@ -135,7 +135,7 @@ impl Ends<'_> {
         };
         let shown: Vec<(usize, bool)> =
             sheet.heads.iter().enumerate().filter_map(is_shown).collect();
-        self.add_alone(sheet);
+        self.add_presumed(sheet);
         let mut found = [NoEnds::Missing, NoEnds::Growing].map(|why| (why, [0; 2]));
         for (column, has_interval) in shown {
             for row in 0..sheet.rows.len() {
@@ -169,28 +169,15 @@ impl Ends<'_> {
         }
     }
 
-    /// Says of which answers the ends lack the error of the model, which has no interval.
-    fn add_alone(&self, sheet: &mut Sheet) {
-        let Some(model) = sheet.column("model") else { return };
-        let lacks = |row: &Vec<Cell>, column: usize| {
-            let is_best = row[model].text() == Best::<Model>::ID;
-            is_best && row[column].number().is_some() && row[column].ends() == [None; 2]
+    /// Says that ends take the error of the nearest solved surfaces, where none is like a point.
+    fn add_presumed(&self, sheet: &mut Sheet) {
+        let is_beyond = |found: &Finding| {
+            found.code == Code::Extrapolated && found.field != "load"
+                || found.code == Code::NoEvidence
         };
-        let is_alone = |(column, head): (usize, &String)| {
-            let quantity = quantity_of(head);
-            let has_interval = quantity.is_none_or(|one| Compared::behind(one).is_some());
-            let mut rows = [&*sheet].into_iter().chain(&self.sheets).flat_map(|one| &one.rows);
-            let is_alone = has_interval
-                && sheet.with_ends.contains(head)
-                && rows.any(|row| lacks(row, column));
-            is_alone.then(|| quantity.map_or_else(|| head.clone(), |one| one.to_string()))
-        };
-        let alone: Vec<String> = sheet.heads.iter().enumerate().filter_map(is_alone).collect();
-        if !alone.is_empty() {
-            let text = format!(
-                "at some points of the ranges no surface like this one was solved, and the ends of {} lack the error of the model there",
-                alone.join(", ")
-            );
+        let has_beyond = |sheet: &Sheet| sheet.findings.iter().any(is_beyond);
+        if has_beyond(sheet) || self.sheets.iter().any(has_beyond) {
+            let text = "at some points of the ranges no surface like this one was solved: ends of best take the error of the nearest ones there, or none";
             sheet.result(text);
         }
     }

@@ -113,7 +113,8 @@ impl SceneFile {
     fn best_with(&self, options: &ModelOptions) -> Best<Model> {
         let allowed = |model: &Model| self.no_asperities_for(model).is_none();
         let models = ANSWERING.iter().filter_map(|id| options.model(id).ok()).filter(allowed);
-        Best::new(models.collect(), self.surface_shape()).with_solved(self.solved.clone())
+        let best = Best::new(models.collect(), self.surface_shape());
+        best.with_solved(self.solved.clone()).within_ranges(self.within_ranges)
     }
 
     /// The [usual](Model::usual) models of asperities that the scene allows, with its options,

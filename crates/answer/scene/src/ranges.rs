@@ -246,6 +246,7 @@ impl SceneFile {
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.
     pub fn at(&self, shares: &[f64]) -> Result<Self, ContactError> {
+        let within_ranges = !shares.is_empty();
         let mut shares = shares.iter().copied();
         let written = self.ranges.iter();
         let written: Vec<_> =
@@ -253,7 +254,8 @@ impl SceneFile {
         let edited = if written.is_empty() { self } else { &self.with_inputs(written)? };
         let mut take = |one: Unknown| one.at(shares.next().unwrap_or(0.5));
         let made = Self::of_spec(edited.spec.settled(&mut take)?)?;
-        Ok(Self { warnings: self.warnings.clone(), origin: self.origin.clone(), ..made })
+        let (warnings, origin) = (self.warnings.clone(), self.origin.clone());
+        Ok(Self { warnings, origin, within_ranges, ..made })
     }
 
     /// The scene in the middle of its ranges and at points of them.
@@ -264,7 +266,9 @@ impl SceneFile {
         let unknowns = self.unknowns();
         let shares = if unknowns.is_empty() { vec![] } else { shares(unknowns.len()) };
         let all = shares.iter().map(|shares| self.at(shares)).collect::<Result<_, _>>()?;
-        Ok(Points { middle: self.middle()?, all, unknowns, shares })
+        let within_ranges = !unknowns.is_empty();
+        let middle = Self { within_ranges, ..self.middle()? };
+        Ok(Points { middle, all, unknowns, shares })
     }
 
     /// Whether the nominal area, or the seal from which it follows, has no range.
@@ -283,7 +287,7 @@ impl SceneFile {
     pub fn middle(&self) -> Result<Self, ContactError> {
         match self.unknowns().len() {
             0 => Ok(self.clone()),
-            all => self.at(&vec![0.5; all]),
+            all => Ok(Self { within_ranges: false, ..self.at(&vec![0.5; all])? }),
         }
     }
 
@@ -310,6 +314,7 @@ impl SceneFile {
             return Ok((self.clone(), None));
         }
         let taken = self.at(&vec![share; unknowns.len()]);
-        Ok((taken.map_err(|error| refused(error.to_string()))?, Some(found)))
+        let taken = taken.map_err(|error| refused(error.to_string()))?;
+        Ok((Self { within_ranges: false, ..taken }, Some(found)))
     }
 }

@@ -32,6 +32,8 @@ pub struct SceneFile {
     /// What boundary elements gave on its scan, where that was solved: an input of
     /// [`best`](Self::best).
     pub solved: Vec<SolvedContact>,
+    /// Whether it is a point of the ranges of another, whose answers are ends of that.
+    pub(crate) within_ranges: bool,
     /// The numbers that were written as ranges.
     pub(crate) ranges: Vec<(SceneInput, Unknown)>,
     /// Where it was written; nowhere where numbers were changed since.
@@ -55,7 +57,8 @@ impl SceneFile {
     /// The scene of a spec with the statistics of its scans, written nowhere.
     pub(crate) fn new(spec: SceneSpec, scene: Scene, measured: Option<Arc<Measured>>) -> Self {
         let (warnings, solved) = Default::default();
-        Self { spec, scene, measured, warnings, solved, ranges: vec![], origin: None }
+        let (within_ranges, ranges, origin) = Default::default();
+        Self { spec, scene, measured, warnings, solved, within_ranges, ranges, origin }
     }
 
     /// The scene that a spec describes.

@@ -49,10 +49,18 @@ pub struct Known {
     pub value: f64,
     /// The ends of an interval that holds nine of ten surfaces, with evidence.
     pub ends: Option<[f64; 2]>,
+    /// The ends without: beyond solved surfaces as at the nearest of them.
+    pub(super) presumed: Option<[f64; 2]>,
     /// Where it is from.
     pub source: Source,
     /// A bound on its relative numerical error.
     pub(super) error: f64,
+}
+
+impl Known {
+    fn without_ends(value: f64, source: Source, error: f64) -> Self {
+        Self { value, ends: None, presumed: None, source, error }
+    }
 }
 
 /// Where a number is from.
@@ -222,7 +230,7 @@ impl<M: Answering> BestContact<M> {
             let solved = self.solved(pressure);
             let solved = solved.filter(|one| one.uncertain.is_none() || !place.has_interval());
             if let Some(&value) = solved.and_then(|solved| solved.values.get(&of)) {
-                return Ok(Known { value, ends: None, source: Source::Solved, error: ROUNDED });
+                return Ok(Known::without_ends(value, Source::Solved, ROUNDED));
             }
             if let Some(known) = self.expected_value(of, pressure)? {
                 return Ok(known);
@@ -230,7 +238,7 @@ impl<M: Answering> BestContact<M> {
         }
         let (one, value, outside) = self.first(of, at)?;
         let source = Source::Model(one.model.id().into(), outside.map(Box::new));
-        Ok(Known { value, ends: None, source, error: self.request.tolerance.relative() })
+        Ok(Known::without_ends(value, source, self.request.tolerance.relative()))
     }
 
     /// A quantity from the compared number behind it, under a load \[N\].
@@ -347,7 +355,9 @@ impl<M: Answering> ContactEngine for BestContact<M> {
             None => Compared::MeanGap,
         };
         let pressure = self.place(at).pressure?;
-        let ends = self.known(of, at).ok()?.ends?;
+        let known = self.known(of, at).ok()?;
+        let presumed = known.presumed.filter(|_| self.best.within_ranges);
+        let ends = known.ends.or(presumed)?;
         let load = pressure * self.scene.nominal_area;
         let end = |compared: f64| match quantity {
             Some(quantity) => Some(self.of(quantity, load, compared, 0.0).ok()?.value()),

@@ -26,10 +26,11 @@ impl<M: Answering> BestContact<M> {
         }
         let place = self.place(At::Pressure(pressure));
         let Ok(expected) = &place.expected else { return Ok(None) };
-        if let Some(Estimate { value, ends }) = expected.estimate(of)
+        if let Some(Estimate { value, ends, presumed }) = expected.estimate(of)
             && !expected.extrapolated
         {
-            return Ok(Some(Known { value, ends, source: Source::Evidence, error: ROUNDED }));
+            let (presumed, source) = (Some(presumed), Source::Evidence);
+            return Ok(Some(Known { value, ends, presumed, source, error: ROUNDED }));
         }
         let heaviest = of.highest_pressure() * most * (1.0 - ROUNDED);
         let known = match expected.estimate(of) {
@@ -53,7 +54,7 @@ impl<M: Answering> BestContact<M> {
 
     /// What is expected at a pressure by what is expected at another, as a model changes.
     fn kept_ratio(&self, of: Compared, pressure: f64, at: &ExpectedContact) -> Option<Known> {
-        let Estimate { value, ends } = at.estimate(of)?;
+        let Estimate { value, ends, presumed } = at.estimate(of)?;
         let there = At::Pressure(at.pressure);
         let model = self.keeping(of, at, pressure)?;
         let [known, own] = [there, At::Pressure(pressure)].map(|at| model.value(of, at).ok());
@@ -68,22 +69,25 @@ impl<M: Answering> BestContact<M> {
         };
         // A contact carries the load at the hardness, has no more area than there is, and unloads
         // at least as stiff.
-        let [value, low, high] = match (of, ends.unwrap_or([value; 2])) {
+        let [value, low, high] = match (of, ends.unwrap_or(presumed)) {
             (Compared::Area, [low, high]) => {
                 let least = pressure / self.most().ok()?.0;
                 [value, low, high].map(|x| kept(x).max(least).min(1.0))
             }
             (Compared::UnloadingStiffness, [low, high]) => {
                 let loading = self.expected_value(Compared::Stiffness, pressure).ok().flatten();
-                let least =
-                    loading.map(|known| (known.value, known.ends.unwrap_or([known.value; 2])));
-                let (least, [least_low, least_high]) = least.unwrap_or_default();
-                [kept(value).max(least), kept(low).max(least_low), kept(high).max(least_high)]
+                let least = loading.and_then(|known| {
+                    let [low, high] = known.ends.or(known.presumed)?;
+                    Some([known.value, low, high])
+                });
+                let least = least.unwrap_or_default();
+                [(value, least[0]), (low, least[1]), (high, least[2])]
+                    .map(|(x, least)| kept(x).max(least))
             }
             (_, [low, high]) => [value, low, high].map(kept),
         };
-        let ends = ends.map(|_| [low, high]);
-        Some(Known { value, ends, source: Source::Evidence, error: ROUNDED })
+        let (ends, presumed) = (ends.map(|_| [low, high]), Some([low, high]));
+        Some(Known { value, ends, presumed, source: Source::Evidence, error: ROUNDED })
     }
 
     /// The model whose ratio at a solved pressure is kept at another.

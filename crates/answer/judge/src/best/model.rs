@@ -42,6 +42,8 @@ pub struct Best<M> {
     pub(super) unlike: Option<ContactError>,
     #[serde(skip)]
     pub(super) solved: Vec<SolvedContact>,
+    #[serde(skip)]
+    pub(super) within_ranges: bool,
 }
 
 /// What boundary elements gave on the scan of a scene.
@@ -74,13 +76,21 @@ impl<M> Best<M> {
             Ok(shape) => (shape, None),
             Err(reason) => (None, Some(reason)),
         };
-        Self { models, shape, unlike, solved: vec![] }
+        Self { models, shape, unlike, solved: vec![], within_ranges: false }
     }
 
     /// The same with what was solved on the scan of the scene.
     #[must_use]
     pub fn with_solved(self, solved: Vec<SolvedContact>) -> Self {
         Self { solved, ..self }
+    }
+
+    /// The same at a point of ranges, if it is one: an interval that is not known is there presumed
+    /// as that at the nearest solved surface, so that the ends of all points go over into each
+    /// other.
+    #[must_use]
+    pub fn within_ranges(self, within_ranges: bool) -> Self {
+        Self { within_ranges, ..self }
     }
 }
 

@@ -61,6 +61,9 @@ pub struct Estimate {
     pub value: f64,
     /// Ends of the interval, if it is known.
     pub ends: Option<[f64; 2]>,
+    /// The ends where it is not: beyond solved surfaces as at the nearest of them.
+    #[serde(skip)]
+    pub presumed: [f64; 2],
 }
 
 impl ExpectedContact {
@@ -212,7 +215,8 @@ impl Evidence {
                 outside.is_none() && (quantity == Compared::Area || !is_rough(place.alpha, hurst));
             let of = |x: f64| unit * x.max(least);
             let ends = found.ends.filter(|_| is_known).map(|ends| ends.map(of));
-            Some((quantity, Estimate { value: of(found.value), ends }))
+            let presumed = found.presumed.map(of);
+            Some((quantity, Estimate { value: of(found.value), ends, presumed }))
         };
         let mut values: Vec<_> = quantities.iter().filter_map(estimate).collect();
         unload_stiffer(&mut values);
@@ -261,8 +265,9 @@ fn unload_stiffer(values: &mut [(Compared, Estimate)]) {
     let of = |wanted: Compared| move |(quantity, _): &(Compared, Estimate)| *quantity == wanted;
     let Some((_, least)) = values.iter().copied().find(of(Compared::Stiffness)) else { return };
     for (_, found) in values.iter_mut().filter(|found| of(Compared::UnloadingStiffness)(found)) {
-        let Estimate { value, ends } = *found;
-        let both = ends.zip(least.ends).map(|(ends, least)| [0, 1].map(|k| ends[k].max(least[k])));
-        *found = Estimate { value: value.max(least.value), ends: both.or(ends) };
+        let least_ends = least.ends.unwrap_or(least.presumed);
+        let stiffer = |ends: [f64; 2]| [0, 1].map(|k| ends[k].max(least_ends[k]));
+        found.value = found.value.max(least.value);
+        (found.ends, found.presumed) = (found.ends.map(stiffer), stiffer(found.presumed));
     }
 }

@@ -46,7 +46,8 @@ impl Evidence {
         let half = COVERAGE * deviation.hypot(scatter(quantity, place));
         let [value, low, high] =
             [middle, middle - half, middle + half].map(|x| of_logarithm(quantity, place, x));
-        Some(Estimate { value, ends: (half <= WIDEST).then_some([low, high]) })
+        let ends = (half <= WIDEST).then_some([low, high]);
+        Some(Estimate { value, ends, presumed: [low, high] })
     }
 
     /// The surface through the cases of a table.

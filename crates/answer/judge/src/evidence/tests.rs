@@ -213,7 +213,7 @@ fn families_left_out_lie_in_their_interval() {
                 continue;
             }
             let interval = |quantity| {
-                let Estimate { value, ends } = others.interval(quantity, place)?;
+                let Estimate { value, ends, .. } = others.interval(quantity, place)?;
                 let [low, high] = ends?;
                 Some([value, low, high])
             };
