@@ -42,8 +42,6 @@ fn pressure(solution: &Solution) -> f64 {
 pub struct Press<'a> {
     /// The scene.
     pub file: &'a SceneFile,
-    /// The name of the scene in messages of [`solve`](Self::solve).
-    pub name: &'a str,
     /// The model of its scan.
     pub bem: &'a Bem,
     /// Loads or gaps.
@@ -77,7 +75,7 @@ impl<'a> Press<'a> {
         given: &'a [LoadCase],
         quantities: &'a [Quantity],
     ) -> Self {
-        Self { file, name: "", bem, given, quantities, keep: false }
+        Self { file, bem, given, quantities, keep: false }
     }
 
     /// The columns of a solved load or gap.
@@ -145,8 +143,7 @@ impl<'a> Press<'a> {
         sheet.heads = self.heads();
         // Refuses what boundary elements or the scene lack before anything is solved.
         Leaking::of(self.file, self.quantities)?;
-        let compiled = self.bem.compile(&self.file.scene, &Request::new(self.quantities()));
-        compiled.map_err(|error| AnswerError::from(error).of_model(self.name))?;
+        self.bem.compile(&self.file.scene, &Request::new(self.quantities()))?;
         let solved = self.rows(sheet, watch)?;
         let width = sheet.heads.len();
         sheet.heads.push("boundary".into());
@@ -163,7 +160,7 @@ impl<'a> Press<'a> {
             kept.extend(solution);
         }
         if sheet.rows.is_empty() && !watch.is_stopped() {
-            return Err(format!("{}: no load was solved", self.name).into());
+            return Err("no load was solved".into());
         }
         Ok(kept)
     }

@@ -4,7 +4,7 @@ use std::mem::discriminant;
 
 use asperity::bem::{Bem, BemError};
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
-use asperity::{At, ContactError, SeparationUnit, linspace, shortest_digits};
+use asperity::{At, Code, ContactError, SeparationUnit, linspace, shortest_digits};
 
 use crate::blanks::Blanks;
 use crate::number::{rounded, within};
@@ -64,8 +64,8 @@ impl Slip<'_> {
         sheet: &mut Sheet,
         watch: &'w dyn Watch,
     ) -> Outcome<(Box<dyn Sliding + 'w>, [f64; 3])> {
-        let Subject { file, id, model, tolerance, .. } = self.subject;
-        if id == Bem::ID {
+        let Subject { file, model, tolerance, .. } = self.subject;
+        if self.subject.id() == Bem::ID {
             let found = ScanSlip::at(&self.subject, preload, self.friction, sheet, watch)?;
             let (slip, [load, pressure], place) = found;
             let separation = self.subject.place(place, SeparationUnit::Sigma)?;
@@ -94,7 +94,7 @@ impl Slip<'_> {
     ) -> Outcome<Vec<f64>> {
         let heads = ["model", "shift_m", "force_N", "back_N", "forth_N", "loss_J", "loss_factor"];
         sheet.under(&[&heads]);
-        let id = self.subject.id;
+        let id = self.subject.id();
         let (slip, _) = self.at(preload, sheet, watch)?;
         let amplitude = shift_of(&*slip, amplitude)?;
         // All rows need these shifts alone.
@@ -146,7 +146,7 @@ impl Slip<'_> {
         let heads = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
         let by_shift = matches!(amplitudes, [Amplitude::Shift(_), ..]);
         sheet.under(&[&heads, if by_shift { &FORCES } else { &SHIFTS }]);
-        let (id, scene) = (self.subject.id, &self.subject.file.scene);
+        let (id, scene) = (self.subject.id(), &self.subject.file.scene);
         let (mut blanks, mut answered) = (Blanks::default(), false);
         for &at in preloads {
             let known = self.at(at, sheet, watch);
@@ -176,7 +176,7 @@ impl Slip<'_> {
         if !answered {
             return Err(reasons.collect::<Vec<_>>().join("; ").into());
         }
-        reasons.for_each(|reason| self.subject.warn_blank(sheet, format!("{id}: {reason}")));
+        reasons.for_each(|reason| sheet.warn(Code::NoValue, format!("{id}: {reason}")));
         Ok(())
     }
 

@@ -56,7 +56,7 @@ impl<'w> ScanSlip<'w> {
         let bem = subject.file.bem()?;
         sheet.findings.extend(bem.note());
         let elements = bem.elements(&scene.interface)?;
-        let step = |_: &_| watch.step(&format!("{}: the normal load", subject.id));
+        let step = |_: &_| watch.step(&format!("{}: the normal load", subject.id()));
         let solution = elements.solve_all(&[load_case(scene, preload)?], step).remove(0)?;
         sheet.report(subject.file, solution.notes.iter().cloned().collect());
         let ratio = 4.0 * shear / scene.interface.equivalent_modulus;

@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Error, Result};
+use anyhow::Result;
 use asperity::Quantity;
 use asperity::bem::{Bem, LoadCase, Solution};
-use asperity_answer::{AnswerError, Press, sealing};
+use asperity_answer::{Press, sealing};
 use asperity_plot::draw_map;
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
@@ -111,18 +111,13 @@ impl BemCommand {
         if self.places.sealing_pressure {
             return self.seal(&scene, &bem);
         }
-        let (file, name) = (&scene.file, &*scene.name);
         let given: Vec<LoadCase> = pressures.iter().copied().map(LoadCase::MeanPressure).collect();
         let press = Press {
-            name,
             keep: [&self.map, &self.picture, &self.flow_picture].into_iter().any(Option::is_some),
-            ..Press::new(file, &bem, &given, &self.quantities)
+            ..Press::new(&scene.file, &bem, &given, &self.quantities)
         };
         let watch = terminal()?;
-        // The reason alone: it names the scene where that is meant.
-        let reason = |error: AnswerError| Error::msg(error.to_string());
-        let (sheet, solutions) =
-            scene.answer(|sheet| press.solve(sheet, &watch).map_err(reason))?;
+        let (sheet, solutions) = scene.answer(|sheet| press.solve(sheet, &watch))?;
         drop(watch);
         if !sheet.rows.is_empty() {
             self.output.write(&sheet)?;
@@ -145,9 +140,8 @@ impl BemCommand {
     /// Sealing pressures of samples of the scan.
     fn seal(&self, scene: &LoadedScene, bem: &Bem) -> Result<()> {
         let (watch, samples) = (terminal()?, self.samples.unwrap_or(SAMPLES).into());
-        let reason = |error: AnswerError| Error::msg(error.to_string());
         let fill = |sheet: &mut _| sealing((&scene.file, bem), samples, sheet, &watch);
-        let (sheet, heaviest) = scene.answer(|sheet| fill(sheet).map_err(reason))?;
+        let (sheet, heaviest) = scene.answer(fill)?;
         drop(watch);
         if sheet.rows.is_empty() {
             interrupt::end_with("fewer than two samples are solved");

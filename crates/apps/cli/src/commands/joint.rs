@@ -170,7 +170,7 @@ impl Joint {
         let (shift, metres) = (self.cycle.amplitude.as_slice(), SeparationUnit::Metres);
         warn_unit("amplitude", shift, metres, height_std);
         let amplitudes = self.amplitudes();
-        let is_scan = slip.subject.id == Bem::ID;
+        let is_scan = slip.subject.id() == Bem::ID;
         let points = self.points.unwrap_or(POINTS[usize::from(is_scan)]);
         let watch = terminal()?;
         let fill = |sheet: &mut Sheet| slip.answer(preloads, &amplitudes, points, sheet, &watch);
