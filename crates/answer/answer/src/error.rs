@@ -32,13 +32,12 @@ pub enum AnswerError {
 }
 
 impl AnswerError {
-    /// This error of a model that is known by a name, if it has one.
+    /// This error of a model by its name.
     pub(crate) fn of_model(self, id: &str) -> Self {
-        match (id, &self) {
-            ("", _) => self,
+        match &self {
             // Its message begins with the model.
-            (id, Self::Contact(ContactError::Refused { model, .. })) if id == model => self,
-            (id, _) => Self::OfModel { id: id.into(), reason: Box::new(self) },
+            Self::Contact(ContactError::Refused { model, .. }) if id == model => self,
+            _ => Self::OfModel { id: id.into(), reason: Box::new(self) },
         }
     }
 }

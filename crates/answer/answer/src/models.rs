@@ -117,8 +117,10 @@ pub fn models(
             // Anything else is an error of the scene.
             _ => true,
         });
-        for text in by_reason(left_out.iter().map(|model| (&*model.id, &model.reason))) {
-            sheet.note(Code::LeftOut, format!("left out: {text}"));
+        let reasons =
+            left_out.into_iter().map(|LeftOut { id, reason }| (reason_alone(&id, &reason), id));
+        for (reason, ids) in grouped(reasons) {
+            sheet.note(Code::LeftOut, format!("left out: {}: {reason}", once(&ids).join(", ")));
         }
         models
     };
@@ -149,30 +151,6 @@ pub(crate) fn reason_alone(id: &str, reason: &ContactError) -> String {
         ContactError::Refused { model, reason } if model == id => reason.clone(),
         reason => reason.to_string(),
     }
-}
-
-/// The models without a result, one text for each reason, that of the first: an input that several
-/// lack, or that is outside the same range.
-pub(crate) fn by_reason<'e>(
-    lacking: impl IntoIterator<Item = (&'e str, &'e ContactError)>,
-) -> Vec<String> {
-    // The reason contains the name of the model, which would separate equal reasons.
-    let reason = |reason: &ContactError| match reason {
-        ContactError::Unsupported { what, .. } => format!(" cannot give {what}"),
-        ContactError::Refused { reason, .. } => format!(": {reason}"),
-        reason => format!(": {reason}"),
-    };
-    let kind = |error: &ContactError| match error {
-        ContactError::Missing { field, .. } => (*field).to_string(),
-        ContactError::OutOfRange { field, required, .. } => format!("{field} {required}"),
-        error => reason(error),
-    };
-    let groups = grouped(lacking.into_iter().map(|(id, error)| (kind(error), (id, error))));
-    let text = |(_, models): (String, Vec<(&str, &ContactError)>)| {
-        let ids: Vec<&str> = models.iter().map(|(id, _)| *id).collect();
-        format!("{}{}", once(&ids).join(", "), reason(models[0].1))
-    };
-    groups.into_iter().map(text).collect()
 }
 
 /// Values under their keys, each once, in the order of the first.

@@ -4,7 +4,7 @@ use std::mem::discriminant;
 
 use asperity::bem::{Bem, BemError};
 use asperity::joints::{PartialSlip, Unloading, UnloadingLaw};
-use asperity::{At, ContactError, SeparationUnit, linspace, shortest_digits};
+use asperity::{At, Code, ContactError, SeparationUnit, linspace, shortest_digits};
 
 use crate::blanks::Blanks;
 use crate::number::{rounded, within};
@@ -38,8 +38,7 @@ pub enum Amplitude {
 
 impl Slip<'_> {
     /// Fills a sheet with the loop of one cycle at one preload with this number of shifts, or with
-    /// a row for each of several cycles, all by shift or all by force. Returns the pixels of a scan
-    /// that stick (2) and slip (1) at the amplitude of one cycle, row after row.
+    /// a row for each of several cycles, all by shift or all by force.
     ///
     /// # Errors
     /// The errors of [`PartialSlip`] if no cycle has a result.
@@ -50,10 +49,10 @@ impl Slip<'_> {
         points: usize,
         sheet: &mut Sheet,
         watch: &dyn Watch,
-    ) -> Result<Vec<f64>, AnswerError> {
+    ) -> Outcome {
         self.subject.fill(sheet, |sheet| match (preloads, amplitudes) {
             ([preload], [amplitude]) => self.cycle(*preload, *amplitude, points, sheet, watch),
-            _ => self.cycles(preloads, amplitudes, sheet, watch).map(|()| vec![]),
+            _ => self.cycles(preloads, amplitudes, sheet, watch),
         })
     }
 
@@ -64,8 +63,8 @@ impl Slip<'_> {
         sheet: &mut Sheet,
         watch: &'w dyn Watch,
     ) -> Outcome<(Box<dyn Sliding + 'w>, [f64; 3])> {
-        let Subject { file, id, model, tolerance, .. } = self.subject;
-        if id == Bem::ID {
+        let Subject { file, model, tolerance, .. } = self.subject;
+        if self.subject.id() == Bem::ID {
             let found = ScanSlip::at(&self.subject, preload, self.friction, sheet, watch)?;
             let (slip, [load, pressure], place) = found;
             let separation = self.subject.place(place, SeparationUnit::Sigma)?;
@@ -91,10 +90,10 @@ impl Slip<'_> {
         points: usize,
         sheet: &mut Sheet,
         watch: &dyn Watch,
-    ) -> Outcome<Vec<f64>> {
+    ) -> Outcome {
         let heads = ["model", "shift_m", "force_N", "back_N", "forth_N", "loss_J", "loss_factor"];
         sheet.under(&[&heads]);
-        let id = self.subject.id;
+        let id = self.subject.id();
         let (slip, _) = self.at(preload, sheet, watch)?;
         let amplitude = shift_of(&*slip, amplitude)?;
         // All rows need these shifts alone.
@@ -125,14 +124,12 @@ impl Slip<'_> {
             "{id}: gross slip begins at a shift of {sliding} m, where {percent} % of mu F = {limit} N is reached"
         );
         sheet.result(text);
-        let states = slip.states(amplitude)?;
-        if !states.is_empty() {
-            let count = |least: f64| states.iter().filter(|state| **state >= least).count() as f64;
-            let percent = rounded(100.0 * count(2.0) / count(1.0));
+        if let Some(share) = slip.sticking(amplitude)? {
+            let percent = rounded(100.0 * share);
             let text = format!("{id}: at this amplitude {percent} % of the contact sticks");
             sheet.result(text);
         }
-        Ok(states)
+        Ok(())
     }
 
     /// A row for each cycle; blank where there is none.
@@ -146,7 +143,7 @@ impl Slip<'_> {
         let heads = ["model", "load_N", "pressure_Pa", "separation_over_sigma"];
         let by_shift = matches!(amplitudes, [Amplitude::Shift(_), ..]);
         sheet.under(&[&heads, if by_shift { &FORCES } else { &SHIFTS }]);
-        let (id, scene) = (self.subject.id, &self.subject.file.scene);
+        let (id, scene) = (self.subject.id(), &self.subject.file.scene);
         let (mut blanks, mut answered) = (Blanks::default(), false);
         for &at in preloads {
             let known = self.at(at, sheet, watch);
@@ -176,7 +173,7 @@ impl Slip<'_> {
         if !answered {
             return Err(reasons.collect::<Vec<_>>().join("; ").into());
         }
-        reasons.for_each(|reason| self.subject.warn_blank(sheet, format!("{id}: {reason}")));
+        reasons.for_each(|reason| sheet.warn(Code::NoValue, format!("{id}: {reason}")));
         Ok(())
     }
 

@@ -56,7 +56,7 @@ impl<'w> ScanSlip<'w> {
         let bem = subject.file.bem()?;
         sheet.findings.extend(bem.note());
         let elements = bem.elements(&scene.interface)?;
-        let step = |_: &_| watch.step(&format!("{}: the normal load", subject.id));
+        let step = |_: &_| watch.step(&format!("{}: the normal load", subject.id()));
         let solution = elements.solve_all(&[load_case(scene, preload)?], step).remove(0)?;
         sheet.report(subject.file, solution.notes.iter().cloned().collect());
         let ratio = 4.0 * shear / scene.interface.equivalent_modulus;
@@ -110,13 +110,11 @@ impl Sliding for ScanSlip<'_> {
         Ok(())
     }
 
-    fn states(&self, amplitude: f64) -> Outcome<Vec<f64>> {
+    fn sticking(&self, amplitude: f64) -> Outcome<Option<f64>> {
         let (tractions, sticks) = self.slip.tractions(amplitude)?;
-        let state = |(traction, sticks): (&f64, &bool)| match (traction, sticks) {
-            (_, true) => 2.0,
-            (traction, false) if *traction > 0.0 => 1.0,
-            _ => 0.0,
-        };
-        Ok(tractions.iter().zip(&sticks).map(state).collect())
+        let sticking = sticks.iter().filter(|sticks| **sticks).count();
+        let in_contact = |(traction, sticks): &(&f64, &bool)| **sticks || **traction > 0.0;
+        let contact = tractions.iter().zip(&sticks).filter(in_contact).count();
+        Ok(Some(sticking as f64 / contact as f64))
     }
 }

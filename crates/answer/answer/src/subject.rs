@@ -4,13 +4,11 @@ use std::borrow::Cow;
 
 use asperity::joints::{EnergyGain, Joint, UnloadingLaw, Work};
 use asperity::{
-    At, Code, ContactError, Finding, Findings, Model, Scene, Separation, SeparationUnit, Severity,
-    Tolerance,
+    At, ContactError, Described, Finding, Findings, Model, Scene, Separation, SeparationUnit,
+    Severity, Tolerance,
 };
 use asperity_scene::{SceneFile, mistaken_unit};
 
-use crate::models::grouped;
-use crate::sheet::warning;
 use crate::{AnswerError, Sheet};
 
 /// A model on a scene.
@@ -20,16 +18,11 @@ pub struct Subject<'a> {
     pub file: &'a SceneFile,
     /// The name of the scene in messages.
     pub name: &'a str,
-    /// The name of the model in rows and messages.
-    pub id: &'a str,
     /// The model.
     pub model: &'a Model,
     /// Relative tolerance of every value.
     pub tolerance: Tolerance,
 }
-
-/// Results and findings of unloading laws.
-pub(crate) type OfLaws = Vec<(Result<String, Box<Finding>>, UnloadingLaw)>;
 
 /// A result, or the reason why there is none.
 pub(crate) type Outcome<T = ()> = Result<T, AnswerError>;
@@ -52,18 +45,19 @@ impl Sheet {
 }
 
 impl Subject<'_> {
+    /// The id of the model, in rows and messages.
+    #[must_use]
+    pub fn id(&self) -> &str {
+        self.model.id()
+    }
+
     /// Fills a sheet; an error is about the model.
     pub(crate) fn fill<T>(
         &self,
         sheet: &mut Sheet,
         fill: impl FnOnce(&mut Sheet) -> Outcome<T>,
     ) -> Outcome<T> {
-        fill(sheet).map_err(|error| error.of_model(self.id))
-    }
-
-    /// Warns of blank cells of the model.
-    pub(crate) fn warn_blank(&self, sheet: &mut Sheet, text: String) {
-        sheet.findings.push(warning(Code::NoValue, text).from_origin(self.name));
+        fill(sheet).map_err(|error| error.of_model(self.id()))
     }
 
     /// The scene over whose heights the model averages.
@@ -82,20 +76,9 @@ impl Subject<'_> {
         laws.iter().map(|law| Joint::new(self.model, scene, *law, self.tolerance)).collect()
     }
 
-    /// Adds results and findings of several unloading laws, each text once with the names of its
-    /// laws.
-    pub(crate) fn report_laws(&self, sheet: &mut Sheet, found: OfLaws) {
-        for (found, laws) in grouped(found) {
-            let laws = laws.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-            let whole = |text: &str| format!("{} by {laws}: {text}", self.id);
-            match found {
-                Ok(text) => sheet.result(whole(&text)),
-                Err(found) => {
-                    let text = whole(&found.to_string());
-                    sheet.findings.push(found.fact(text));
-                }
-            }
-        }
+    /// A text about the model with an unloading law.
+    pub(crate) fn by(&self, law: UnloadingLaw, text: &str) -> String {
+        format!("{} by {law}: {text}", self.id())
     }
 
     /// Warns of a joint that creates energy when it is closed to a place and opened.

@@ -2,12 +2,11 @@
 
 use asperity::bem::Bem;
 use asperity::joints::{Joint, Unloading, UnloadingLaw};
-use asperity::{At, Code, ContactError, Evaluation, Finding, SeparationUnit, linspace};
+use asperity::{At, Code, ContactError, Evaluation, SeparationUnit, linspace};
 
 use crate::blanks::{Blanks, kind};
 use crate::number::rounded;
-use crate::sheet::{note, warning};
-use crate::subject::{OfLaws, Outcome, Retreats, Subject, metres};
+use crate::subject::{Outcome, Retreats, Subject, metres};
 use crate::unloading_scan::open_scan;
 use crate::{Sheet, Watch};
 
@@ -28,7 +27,7 @@ pub fn unloading(
     sheet: &mut Sheet,
     watch: &dyn Watch,
 ) -> Outcome {
-    let is_scan = subject.id == Bem::ID;
+    let is_scan = subject.id() == Bem::ID;
     let with_area = is_scan || laws.iter().any(|law| has_area(*law));
     let heads = ["model", "law", "retreat_m", "separation_over_sigma", "force_N", "pressure_Pa"];
     let area: &[&str] = if with_area { &["area_m2"] } else { &[] };
@@ -38,7 +37,7 @@ pub fn unloading(
         if is_scan {
             return open_scan(subject, closest, retreats, sheet, watch);
         }
-        let (mut openings, mut last, mut found) = (vec![], None, OfLaws::new());
+        let (mut openings, mut last) = (vec![], None);
         for joint in subject.joints(laws)? {
             let opening = joint.unloading(closest)?;
             if opening.force(0.0)?.value() == 0.0 {
@@ -49,8 +48,8 @@ pub fn unloading(
                 .into());
             }
             let end = opening.last_contact();
-            found.push((work(sheet, subject, &joint, closest), joint.law()));
-            found.push((last_contact(&end), joint.law()));
+            report_work(sheet, subject, &joint, closest);
+            report_end(sheet, subject, joint.law(), &end);
             // Only a default depends on the end of contact.
             last = last.into_iter().chain(end).reduce(f64::max);
             openings.push(opening);
@@ -63,9 +62,8 @@ pub fn unloading(
             },
         };
         for opening in &openings {
-            found.extend(add_rows(sheet, subject, opening, &retreats, with_area)?);
+            add_rows(sheet, subject, opening, &retreats, with_area)?;
         }
-        subject.report_laws(sheet, found);
         Ok(())
     })
 }
@@ -74,13 +72,8 @@ fn has_area(law: UnloadingLaw) -> bool {
     law != UnloadingLaw::Etsion
 }
 
-/// The work of closing and opening.
-fn work(
-    sheet: &mut Sheet,
-    subject: &Subject<'_>,
-    joint: &Joint,
-    closest: At,
-) -> Result<String, Box<Finding>> {
+/// Adds the work of closing and opening.
+fn report_work(sheet: &mut Sheet, subject: &Subject<'_>, joint: &Joint, closest: At) {
     let works = joint.work(closest).and_then(|work| {
         subject.warn_energy_gain(sheet, joint, closest, &work)?;
         let lost = work.lost();
@@ -90,40 +83,49 @@ fn work(
             false => [work.spent.value(), 0.0, 0.0],
         })
     });
+    let by = |text: &str| subject.by(joint.law(), text);
     match works.map(|works| works.map(rounded)) {
-        Ok([spent, lost, factor]) => Ok(format!(
+        Ok([spent, lost, factor]) => sheet.result(by(&format!(
             "closing takes {spent} J, of which {lost} J are dissipated in the first cycle (loss factor {factor})"
-        )),
+        ))),
         Err(error) => {
-            Err(warning(Code::NoValue, format!("the work is unavailable: {error}")).into())
+            sheet.warn(Code::NoValue, by(&format!("the work is unavailable: {error}")));
         }
     }
 }
 
-/// Where contact ends.
-fn last_contact(end: &Result<f64, ContactError>) -> Result<String, Box<Finding>> {
+/// Adds where contact ends.
+fn report_end(
+    sheet: &mut Sheet,
+    subject: &Subject<'_>,
+    law: UnloadingLaw,
+    end: &Result<f64, ContactError>,
+) {
+    let by = |text: &str| subject.by(law, text);
     let few = "fewer than one asperity touches on average";
     match end {
         Ok(0.0) => {
-            Err(warning(Code::FewContacts, format!("even at the closest approach, {few}")).into())
+            sheet.warn(Code::FewContacts, by(&format!("even at the closest approach, {few}")));
         }
         Ok(end) => {
-            Ok(format!("contact ends at a retreat of {} m, beyond which {few}", rounded(*end)))
+            let end = rounded(*end);
+            let text = format!("contact ends at a retreat of {end} m, beyond which {few}");
+            sheet.result(by(&text));
         }
         Err(error) => {
-            Err(note(Code::NoValue, format!("the end of contact was not found: {error}")).into())
+            sheet.note(Code::NoValue, by(&format!("the end of contact was not found: {error}")));
         }
     }
 }
 
-/// Adds the rows of one law; warnings of blanks.
+/// Adds the rows of one law, and warnings of blanks.
 fn add_rows(
     sheet: &mut Sheet,
     subject: &Subject<'_>,
     opening: &Unloading,
     retreats: &[f64],
     with_area: bool,
-) -> Result<OfLaws, ContactError> {
+) -> Result<(), ContactError> {
     let (scene, law) = (subject.scene()?, opening.law());
     let closest = subject.place(opening.closest(), SeparationUnit::Sigma)?;
     let (name, mut blanks) = (law.to_string(), Blanks::default());
@@ -146,8 +148,8 @@ fn add_rows(
         }
         numbers.push(value(opening.stiffness(retreat))?);
         numbers.push(value(opening.contacts(retreat))?);
-        sheet.add(&[subject.id, &name], numbers);
+        sheet.add(&[subject.id(), &name], numbers);
     }
-    let blank = |text: String| (Err(warning(Code::NoValue, text).into()), law);
-    Ok(blanks.texts(retreats.len()).map(blank).collect())
+    blanks.texts(retreats.len()).for_each(|text| sheet.warn(Code::NoValue, subject.by(law, &text)));
+    Ok(())
 }

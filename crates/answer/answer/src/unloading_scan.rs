@@ -3,7 +3,7 @@
 use std::mem::discriminant;
 
 use asperity::bem::BemError;
-use asperity::{At, Separation, SeparationUnit, linspace};
+use asperity::{At, Code, Separation, SeparationUnit, linspace};
 
 use crate::blanks::Blanks;
 use crate::number::rounded;
@@ -25,7 +25,7 @@ pub(crate) fn open_scan(
     sheet: &mut Sheet,
     watch: &dyn Watch,
 ) -> Outcome {
-    let (id, scene) = (subject.id, &subject.file.scene);
+    let (id, scene) = (subject.id(), &subject.file.scene);
     let retreats = retreats.map(|given| metres(sheet, scene, given));
     let bem = subject.file.bem()?;
     sheet.findings.extend(bem.note());
@@ -61,7 +61,7 @@ pub(crate) fn open_scan(
         sheet.add(&[id, "own"], numbers.map(Some).into_iter().chain([stiffness]));
     }
     for text in blanks.texts(retreats.len()) {
-        subject.warn_blank(sheet, format!("{id}: {text}"));
+        sheet.warn(Code::NoValue, format!("{id}: {text}"));
     }
     if sheet.rows.is_empty() {
         return Err("no retreat was solved".into());

@@ -29,7 +29,7 @@ fn exported(model: &Model, scene: &Scene, error: f64, conductance: bool) -> Expo
     let file = SceneFile::from(scene.clone());
     let tolerance = Tolerance::default();
     let export = Export {
-        subject: Subject { file: &file, name: "", id: "ke", model, tolerance },
+        subject: Subject { file: &file, name: "", model, tolerance },
         nodes: Nodes::Range {
             ends: [At::Pressure(1e5), At::Pressure(2e7)],
             count: 2,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Context, Error, Result};
 use asperity::bem::{Bem, BemOptions, Continuation};
-use asperity::{At, Described, Findings, Model, Severity, Tolerance};
+use asperity::{At, Findings, Model, Severity, Tolerance};
 use asperity_answer::{
     AnswerError, Sheet, Subject, one_model, one_or_usual, scene_findings, solve, use_asperities,
 };
@@ -82,8 +82,7 @@ impl LoadedScene {
 
     /// A model on this scene, with a tolerance of its values.
     pub fn subject<'a>(&'a self, model: &'a Model, tolerance: Tolerance) -> Subject<'a> {
-        let id = model.id();
-        Subject { file: &self.file, name: &self.name, id, model, tolerance }
+        Subject { file: &self.file, name: &self.name, model, tolerance }
     }
 
     /// Reports warnings that the scene does not accept, one for each cause.

@@ -8,8 +8,7 @@ const DARKEST: f64 = 0.999;
 
 impl Map {
     /// Values on rows x columns of pixels with these heights and widths \[m\].
-    #[must_use]
-    pub fn of_pixels(values: Vec<f64>, [rows, columns]: [usize; 2], [dy, dx]: [f64; 2]) -> Self {
+    fn of_pixels(values: Vec<f64>, [rows, columns]: [usize; 2], [dy, dx]: [f64; 2]) -> Self {
         let size = [columns as f64 * dx, rows as f64 * dy];
         let (length, unit) = legible(size[0], "m");
         Self { values, columns, size: size.map(|side| side / length), unit, ..Self::default() }
@@ -53,22 +52,16 @@ impl Map {
     /// disappears.
     #[must_use]
     pub fn coarser(self, most: usize) -> Self {
-        let step = self.columns.max(self.values.len() / self.columns.max(1)).div_ceil(most);
-        let (values, columns) = largest_of(&self.values, self.columns, step);
+        let rows = self.values.len() / self.columns.max(1);
+        let step = self.columns.max(rows).div_ceil(most);
+        let columns = self.columns.div_ceil(step);
+        let mut values = vec![0.0_f64; columns * rows.div_ceil(step)];
+        for (k, value) in self.values.iter().enumerate() {
+            let part = &mut values[k / self.columns / step * columns + k % self.columns / step];
+            *part = part.max(*value);
+        }
         Self { values, columns, ..self }
     }
-}
-
-/// The largest of every `step` x `step` values, and their number in a row.
-#[must_use]
-pub fn largest_of(values: &[f64], columns: usize, step: usize) -> (Vec<f64>, usize) {
-    let wide = columns.div_ceil(step);
-    let mut most = vec![0.0_f64; wide * (values.len() / columns).div_ceil(step)];
-    for (k, value) in values.iter().enumerate() {
-        let part = &mut most[k / columns / step * wide + k % columns / step];
-        *part = part.max(*value);
-    }
-    (most, wide)
 }
 
 #[cfg(test)]

@@ -44,17 +44,15 @@ mod style;
 mod text;
 mod trace;
 
-#[cfg(feature = "scan")]
-pub use contact::largest_of;
 pub use error::PlotError;
 pub use figure::{Axis, Between, Figure, Mark, Panel, Scale, Strip};
 pub use looks::{MEASURED, look_of};
 #[cfg(feature = "scan")]
-pub use map::{Map, draw_map, map_png};
+pub use map::{Map, draw_map};
 #[cfg(feature = "scan")]
 pub use scan::{caption_of_surface, draw_material_ratio, draw_surface};
 pub use style::Curve;
-pub use text::{PREFIXES, legible, number, power_of_ten};
+pub use text::{PREFIXES, legible, number};
 
 use layout::Layout;
 

@@ -18,7 +18,7 @@ pub struct Map {
     /// Paragraphs below; each is wrapped.
     pub caption: Vec<String>,
     /// Row by row from the top; values of 0 and below, or with a `bottom` only those that are
-    /// missing (NaN), are white in a png, and blank in an svg.
+    /// missing (NaN), are blank.
     pub values: Vec<f64>,
     /// Values in a row.
     pub columns: usize,
@@ -115,7 +115,7 @@ impl<'a> Placed<'a> {
 
     pub(crate) fn draw(&self, canvas: &Canvas) -> Result<(), PlotError> {
         let Self { map, frame, scale, below } = self;
-        let image = format!("data:image/png;base64,{}", STANDARD.encode(pixels(map, 0)?));
+        let image = format!("data:image/png;base64,{}", STANDARD.encode(pixels(map)?));
         canvas.image(frame, &image);
         canvas.outline(frame, BLACK, 1.0);
         for (k, (name, [along, down])) in map.marks.iter().enumerate() {
@@ -138,15 +138,6 @@ impl<'a> Placed<'a> {
         }
         Ok(())
     }
-}
-
-/// The map alone, without lengths and colours beside it, as a png of one pixel a value.
-///
-/// # Errors
-/// The errors of [`draw_map`].
-pub fn map_png(map: &Map) -> Result<Vec<u8>, PlotError> {
-    check(map)?;
-    pixels(map, 255)
 }
 
 pub(crate) fn check(map: &Map) -> Result<(), PlotError> {
@@ -226,8 +217,8 @@ fn colour(share: f64) -> [u8; 3] {
     })
 }
 
-/// The values as a png of one pixel each. Colour 0 is white, of this opacity.
-fn pixels(map: &Map, opacity: u8) -> Result<Vec<u8>, PlotError> {
+/// The values as a png of one pixel each. Colour 0 is clear.
+fn pixels(map: &Map) -> Result<Vec<u8>, PlotError> {
     // With a bottom the lowest heights have a colour too, and only missing ones have none.
     let least = map.bottom.map_or(0.0, |_| f64::MIN_POSITIVE);
     // Colour 0 is for values of 0 and below, and for missing ones.
@@ -251,9 +242,7 @@ fn pixels(map: &Map, opacity: u8) -> Result<Vec<u8>, PlotError> {
     let mut encoder = png::Encoder::new(&mut bytes, width, u32::try_from(rows).map_err(too_large)?);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_palette(palette);
-    if opacity < 255 {
-        encoder.set_trns(vec![opacity]);
-    }
+    encoder.set_trns(vec![0]);
     let mut writer = encoder.write_header().map_err(failed)?;
     writer.write_image_data(&indices).map_err(failed)?;
     writer.finish().map_err(failed)?;
@@ -288,17 +277,16 @@ mod tests {
             assert!(svg.contains(word), "{word}");
         }
         assert!(svg.contains("<image ") && svg.contains("image-rendering=\"pixelated\""));
-        // What has no colour shows the ground, and a png alone is white there.
+        // What has no colour shows the ground.
         assert!(svg.contains("<rect class=\"ground\" "));
         let png = svg.split("base64,").nth(1).and_then(|text| text.split('"').next()).unwrap();
-        let bytes = [STANDARD.decode(png).unwrap(), map_png(&map()).unwrap()];
-        let trns = |bytes: &Vec<u8>| bytes.windows(4).any(|part| part == b"tRNS");
-        assert_eq!([trns(&bytes[0]), trns(&bytes[1])], [true, false]);
+        let bytes = STANDARD.decode(png).unwrap();
+        assert!(bytes.windows(4).any(|part| part == b"tRNS"));
     }
 
     #[test]
     fn the_image_holds_the_values() {
-        let bytes = map_png(&map()).unwrap();
+        let bytes = super::pixels(&map()).unwrap();
         let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
         decoder.set_transformations(png::Transformations::IDENTITY);
         let mut reader = decoder.read_info().unwrap();
@@ -331,7 +319,7 @@ mod tests {
     fn heights_have_colours_below_zero_and_missing_ones_are_white() {
         let values = vec![-1.0, 0.0, 1.0, f64::NAN, -3.0, 3.0];
         let heights = Map { bottom: Some(-1.0), values, white: "white: missing".into(), ..map() };
-        let mut decoder = png::Decoder::new(std::io::Cursor::new(map_png(&heights).unwrap()));
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(super::pixels(&heights).unwrap()));
         decoder.set_transformations(png::Transformations::IDENTITY);
         let mut pixels = vec![0; 6];
         decoder.read_info().unwrap().next_frame(&mut pixels).unwrap();

@@ -84,7 +84,7 @@ pub fn legible(value: f64, unit: &str) -> (f64, String) {
 
 /// A power of ten in raised figures, such as 10⁻³.
 #[must_use]
-pub fn power_of_ten(exponent: i32) -> String {
+pub(crate) fn power_of_ten(exponent: i32) -> String {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]);
     format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())

@@ -66,7 +66,7 @@ pub(crate) fn contact_table<'py>(
     let (axis, first, last) = ends;
     let ends = [first, last].map(|end| axis.at(end, file.spec.separation_from));
     let export = Export {
-        subject: Subject { file, name: "", id: "", model: &model, tolerance },
+        subject: Subject { file, name: "", model: &model, tolerance },
         nodes: Nodes::Range { ends, count, log: false, max_error },
         format,
         units,

@@ -247,7 +247,7 @@ mod tests {
             };
             asperity_answer::with_ranges(&file, &mut drawn, fill).unwrap();
             let export = Export {
-                subject: Subject { file: &file, name: "", id: BEST, model: &best, tolerance },
+                subject: Subject { file: &file, name: "", model: &best, tolerance },
                 nodes: Nodes::Loads(&at),
                 format: TableFormat::Csv,
                 units: UnitSystem::SI,

@@ -18,8 +18,7 @@ pub(crate) fn table(file: &SceneFile, id: &str, form: &str, units: &str) -> Resu
     let units: UnitSystem = units.parse().map_err(Refusal::new)?;
     let (model, span) = (file.model(id)?, Span::of(file));
     let ends = [0.2, 1.0].map(|position| At::Pressure(span.pressure(position)));
-    let subject =
-        Subject { file, name: "", id: "", model: &model, tolerance: Tolerance::default() };
+    let subject = Subject { file, name: "", model: &model, tolerance: Tolerance::default() };
     let nodes = Nodes::Range { ends, count: 2, log: false, max_error: Some(ERROR) };
     let export = Export { subject, nodes, format, units, conductance: false };
     let text = export.answer(&mut Sheet::default(), &Silent).map_err(Refusal::new)?.text;

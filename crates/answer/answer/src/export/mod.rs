@@ -34,16 +34,6 @@ pub enum TableFormat {
     Film,
 }
 
-/// How a finite-element code reads the space between two nodes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Interpolation {
-    /// Straight lines: the pressure is continuous, its slope is not.
-    Linear,
-    /// Cubics through pressures and stiffnesses (Hermite): both are continuous, as Newton's method
-    /// needs.
-    Hermite,
-}
-
 impl TableFormat {
     /// All formats.
     pub const ALL: [Self; 4] = [Self::Csv, Self::Abaqus, Self::Calculix, Self::Film];
@@ -59,21 +49,10 @@ impl TableFormat {
         }
     }
 
-    /// Refuses conductance in a format that has none, before any table is made.
-    ///
-    /// # Errors
-    /// Conductance in formats other than Abaqus and CalculiX.
-    pub fn check(self, conductance: bool) -> Result<(), String> {
-        match self {
-            Self::Csv | Self::Film if conductance => {
-                Err(format!("{} has no conductance; use abaqus or calculix", self.name()))
-            }
-            _ => Ok(()),
-        }
-    }
-
-    fn interpolation(self) -> Interpolation {
-        if self == Self::Csv { Interpolation::Hermite } else { Interpolation::Linear }
+    /// Whether nodes are joined by cubics through pressures and stiffnesses (Hermite), both
+    /// continuous as Newton's method needs, and not by straight lines.
+    pub(crate) fn is_cubic(self) -> bool {
+        self == Self::Csv
     }
 }
 
@@ -142,10 +121,13 @@ impl Export<'_> {
     /// error that no table meets, and what the format has no room for.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<Exported, AnswerError> {
         sheet.under(&[&["clearance_m", "pressure_Pa", "tangent_Pa_per_m"]]);
-        self.format.check(self.conductance)?;
+        if self.conductance && matches!(self.format, TableFormat::Csv | TableFormat::Film) {
+            let name = self.format.name();
+            return Err(format!("{name} has no conductance; use abaqus or calculix").into());
+        }
         self.subject.file.need_flat()?;
         watch.progress("nodes");
-        let of_model = |error: AnswerError| error.of_model(self.subject.id);
+        let of_model = |error: AnswerError| error.of_model(self.subject.id());
         if self.format == TableFormat::Film {
             return Ok(Exported { text: self.film_text(sheet).map_err(of_model)?, errors: None });
         }

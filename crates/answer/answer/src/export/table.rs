@@ -10,7 +10,7 @@ use asperity::{
 
 use super::error_bound::bounds;
 use super::kinks::{kinks, pieces};
-use super::{Export, Interpolation, Nodes, cubic};
+use super::{Export, Nodes, TableFormat, cubic};
 use crate::subject::{Outcome, Subject};
 
 /// More nodes than this are not added to meet an error.
@@ -46,15 +46,13 @@ pub(crate) struct ContactTable {
 impl ContactTable {
     /// The table that is asked for.
     pub(crate) fn new(export: &Export<'_>) -> Outcome<Self> {
-        let interpolation = export.format.interpolation();
+        let Export { subject, format, .. } = export;
         match export.nodes {
             Nodes::Range { ends, count, log, max_error } => {
-                let builder = Builder::new(&export.subject, interpolation, &[])?;
+                let builder = Builder::new(subject, *format, &[])?;
                 Builder { log, ..builder }.between(ends, count, max_error)
             }
-            Nodes::Loads(loads) => {
-                Builder::new(&export.subject, interpolation, loads)?.at_loads(loads)
-            }
+            Nodes::Loads(loads) => Builder::new(subject, *format, loads)?.at_loads(loads),
         }
     }
 }
@@ -63,7 +61,7 @@ impl ContactTable {
 struct Builder {
     contact: Box<dyn Contact>,
     nominal_area: f64,
-    interpolation: Interpolation,
+    format: TableFormat,
     /// Separations \[σ_z\] at which the force may have a kink.
     kinks: Vec<f64>,
     tolerance: f64,
@@ -75,11 +73,7 @@ struct Builder {
 
 impl Builder {
     /// On the scene; boundary elements solve these loads.
-    fn new(
-        subject: &Subject<'_>,
-        interpolation: Interpolation,
-        loads: &[At],
-    ) -> Result<Self, ContactError> {
+    fn new(subject: &Subject<'_>, format: TableFormat, loads: &[At]) -> Result<Self, ContactError> {
         let Subject { file, model, tolerance, .. } = *subject;
         let request = Request::new([Quantity::Force, Quantity::Tangent]).within(tolerance);
         let request = request.at(loads.iter().copied());
@@ -93,7 +87,7 @@ impl Builder {
         Ok(Self {
             contact: model.compile(&file.scene, &request)?,
             nominal_area: file.scene.nominal_area,
-            interpolation,
+            format,
             kinks: kinks(subject)?,
             tolerance: tolerance.relative(),
             log: false,
@@ -227,17 +221,14 @@ impl Builder {
             return false;
         }
         let (a, b) = self.slopes(from, to);
-        self.interpolation == Interpolation::Linear || cubic::is_monotone(a, b)
+        !self.format.is_cubic() || cubic::is_monotone(a, b)
     }
 
     /// Bounds of the relative errors of pressure and stiffness between two nodes; of a pressure off
     /// by more than `enough`, no more than that.
     fn errors(&self, from: &ContactNode, to: &ContactNode, enough: f64) -> Outcome<[f64; 2]> {
         let fall = from.pressure - to.pressure;
-        let (a, b) = match self.interpolation {
-            Interpolation::Linear => (1.0, 1.0),
-            Interpolation::Hermite => self.slopes(from, to),
-        };
+        let (a, b) = if self.format.is_cubic() { self.slopes(from, to) } else { (1.0, 1.0) };
         let width = to.separation - from.separation;
         let secant = fall / (width * self.height_std());
         let errors = |separation: f64| {

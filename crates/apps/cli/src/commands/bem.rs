@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Error, Result};
+use anyhow::Result;
 use asperity::Quantity;
 use asperity::bem::{Bem, LoadCase, Solution};
-use asperity_answer::{AnswerError, Press, sealing};
+use asperity_answer::{Press, sealing};
 use asperity_plot::draw_map;
 use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
@@ -45,9 +45,6 @@ pub struct BemCommand {
     /// 8]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=1000))]
     samples: Option<u16>,
-    /// Add the results on every second pixel, to show their dependence on the grid
-    #[arg(long)]
-    refine: bool,
     /// Write the pressures in Pa as a NumPy matrix, stacked for several loads
     #[arg(long, value_name = "FILE.npy", value_parser = file_ending(&["npy"], NPY))]
     map: Option<PathBuf>,
@@ -77,7 +74,7 @@ struct Places {
     pressures: Vec<Numbers>,
     /// Pressures at which the last open path along x and along y closes, over several samples of
     /// the surface: lowest, middle and highest, since one scan is one of many
-    #[arg(long, conflicts_with_all = ["quantities", "refine", "map", "flow_picture"])]
+    #[arg(long, conflicts_with_all = ["quantities", "map", "flow_picture"])]
     sealing_pressure: bool,
     /// Loads on the nominal area, in N
     #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load))]
@@ -114,19 +111,13 @@ impl BemCommand {
         if self.places.sealing_pressure {
             return self.seal(&scene, &bem);
         }
-        let (file, name) = (&scene.file, &*scene.name);
         let given: Vec<LoadCase> = pressures.iter().copied().map(LoadCase::MeanPressure).collect();
         let press = Press {
-            name,
-            refine: self.refine,
             keep: [&self.map, &self.picture, &self.flow_picture].into_iter().any(Option::is_some),
-            ..Press::new(file, &bem, &given, &self.quantities)
+            ..Press::new(&scene.file, &bem, &given, &self.quantities)
         };
         let watch = terminal()?;
-        // The reason alone: it names the scene where that is meant.
-        let reason = |error: AnswerError| Error::msg(error.to_string());
-        let (sheet, solutions) =
-            scene.answer(|sheet| press.solve(sheet, &watch).map_err(reason))?;
+        let (sheet, solutions) = scene.answer(|sheet| press.solve(sheet, &watch))?;
         drop(watch);
         if !sheet.rows.is_empty() {
             self.output.write(&sheet)?;
@@ -149,9 +140,8 @@ impl BemCommand {
     /// Sealing pressures of samples of the scan.
     fn seal(&self, scene: &LoadedScene, bem: &Bem) -> Result<()> {
         let (watch, samples) = (terminal()?, self.samples.unwrap_or(SAMPLES).into());
-        let reason = |error: AnswerError| Error::msg(error.to_string());
         let fill = |sheet: &mut _| sealing((&scene.file, bem), samples, sheet, &watch);
-        let (sheet, heaviest) = scene.answer(|sheet| fill(sheet).map_err(reason))?;
+        let (sheet, heaviest) = scene.answer(fill)?;
         drop(watch);
         if sheet.rows.is_empty() {
             interrupt::end_with("fewer than two samples are solved");

@@ -70,31 +70,31 @@ impl Generate {
         let [dx, dy] = self.pixel;
         let side = (columns as f64 * dx).max(rows as f64 * dy);
         let gradient = (2.0 * surface.moments().m2).sqrt();
-        let odd = [
-            (
+        if gradient > 1.0 {
+            let gradient = rounded(gradient);
+            output::warn(
                 Code::UnusualSize,
-                gradient > 1.0,
                 format!(
-                    "the rms gradient is {} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short",
-                    rounded(gradient)
+                    "the rms gradient is {gradient} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short"
                 ),
-            ),
-            (
-                Code::LongWaves,
-                self.long > side,
-                format!(
-                    "waves up to --long do not fit on the surface of {} m; those up to its side are made",
-                    rounded(side)
-                ),
-            ),
-        ];
-        for (code, _, text) in odd.into_iter().filter(|(_, is_so, _)| *is_so) {
-            output::warn(code, text);
+            );
         }
-        let lengths = [("--long", self.long), ("--short", self.short), ("--pixel", dx)];
-        let lengths = lengths.map(|(option, value)| (option, "wavelength", Some(value)));
-        let others = [("--roll-off", "wavelength", self.roll_off), ("--sq", "sq", self.sq)];
-        for (option, key, value) in lengths.into_iter().chain(others) {
+        if self.long > side {
+            let side = rounded(side);
+            output::warn(
+                Code::LongWaves,
+                format!(
+                    "waves up to --long do not fit on the surface of {side} m; those up to its side are made"
+                ),
+            );
+        }
+        for (option, key, value) in [
+            ("--long", "wavelength", Some(self.long)),
+            ("--short", "wavelength", Some(self.short)),
+            ("--pixel", "wavelength", Some(dx)),
+            ("--roll-off", "wavelength", self.roll_off),
+            ("--sq", "sq", self.sq),
+        ] {
             if let Some(mut found) = value.and_then(|value| unusual(key, value)) {
                 found.field = option.into();
                 output::show([&found]);

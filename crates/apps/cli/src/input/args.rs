@@ -174,7 +174,10 @@ impl ModelArgs {
             .separations
             .iter()
             .flat_map(|list| list.value.iter().map(|value| separation(*value, list.unit)));
-        let films = films(&self.films, &self.ratios);
+        let films = self.films.iter().flat_map(|list| &list.0);
+        let films = films.map(|film| Separation::metres(*film).from_surface_mean());
+        let ratios = self.ratios.iter().flat_map(|list| &list.0).copied();
+        let films = films.chain(ratios.map(Separation::film_ratio)).map(At::from);
         let approaches = approaches(&self.approaches);
         let given =
             separations.chain(films).chain(approaches).chain(loads(&self.loads, &self.pressures));
@@ -185,16 +188,6 @@ impl ModelArgs {
             given
         }
     }
-}
-
-/// The places of films and of their ratios to the standard deviation of the surface heights.
-pub fn films<'n>(
-    films: impl IntoIterator<Item = &'n Numbers>,
-    ratios: impl IntoIterator<Item = &'n Numbers>,
-) -> impl Iterator<Item = At> {
-    let films = films.into_iter().flat_map(|list| &list.0).map(|film| Separation::metres(*film));
-    let ratios = ratios.into_iter().flat_map(|list| &list.0).copied().map(Separation::film_ratio);
-    films.map(Separation::from_surface_mean).chain(ratios).map(At::from)
 }
 
 /// The places of approaches of curved bodies.

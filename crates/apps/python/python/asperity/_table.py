@@ -62,11 +62,6 @@ class Table:
     def __len__(self) -> int:
         return len(next(iter(self.columns.values())))
 
-    def of(self, model: str) -> dict[str, Any]:
-        """The columns with the rows of one model."""
-        kept = [k for k, name in enumerate(self["model"]) if name == model]
-        return {head: np.asarray(column)[kept] for head, column in self.columns.items()}
-
     def __str__(self) -> str:
         columns = [[head, *map(_cell, column)] for head, column in self.columns.items()]
         widths = [max(map(len, column)) for column in columns]

@@ -25,7 +25,7 @@ pub(crate) fn bem<'py>(
     let quantities = quantities.map_or(vec![], |quantities| quantities.0);
     let Pressed { bem, file } = Pressed::new(pressed)?;
     let all = load_cases(given, file.scene.nominal_area);
-    let press = Press { name: "bem", keep, ..Press::new(&file, &bem, &all, &quantities) };
+    let press = Press { keep, ..Press::new(&file, &bem, &all, &quantities) };
     let mut sheet = Sheet::default();
     let solved = run_interruptible(py, |stop| press.solve(&mut sheet, stop))?;
     let mut solved = solved.map_err(|error| without(&sheet, error))?.into_iter();

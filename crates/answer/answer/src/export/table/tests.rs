@@ -18,42 +18,42 @@ fn table(
     scene: &Scene,
     tolerance: Tolerance,
     (ends, nodes, max_error): ([At; 2], usize, Option<f64>),
-    interpolation: Interpolation,
+    format: TableFormat,
 ) -> Outcome<ContactTable> {
     let file = SceneFile::from(scene.clone());
-    let subject = Subject { file: &file, name: "", id: model.id(), model, tolerance };
-    Builder::new(&subject, interpolation, &[])?.between(ends, nodes, max_error)
+    let subject = Subject { file: &file, name: "", model, tolerance };
+    Builder::new(&subject, format, &[])?.between(ends, nodes, max_error)
 }
 
 fn ke(
     ends: [At; 2],
     nodes: usize,
     error: Option<f64>,
-    interpolation: Interpolation,
+    format: TableFormat,
 ) -> Outcome<ContactTable> {
     let (model, tolerance) = ("ke".parse().unwrap(), Tolerance::default());
-    table(&model, &scene(), tolerance, (ends, nodes, error), interpolation)
+    table(&model, &scene(), tolerance, (ends, nodes, error), format)
 }
 
-fn even(count: usize, interpolation: Interpolation) -> ContactTable {
-    ke([0.0, 4.0].map(At::sigmas), count, None, interpolation).unwrap()
+fn even(count: usize, format: TableFormat) -> ContactTable {
+    ke([0.0, 4.0].map(At::sigmas), count, None, format).unwrap()
 }
 
 #[test]
 fn errors_fall_as_the_interpolation_promises() {
     // Halving the intervals divides the error by 2² for lines and by 2⁴ for cubics.
-    for (interpolation, order) in [(Interpolation::Linear, 4.0), (Interpolation::Hermite, 16.0)] {
-        let (coarse, fine) = (even(81, interpolation), even(161, interpolation));
+    for (format, order) in [(TableFormat::Abaqus, 4.0), (TableFormat::Csv, 16.0)] {
+        let (coarse, fine) = (even(81, format), even(161, format));
         let ratio = coarse.errors.unwrap()[0] / fine.errors.unwrap()[0];
-        assert!((ratio / order - 1.0).abs() < 0.15, "{interpolation:?}: {ratio}");
+        assert!((ratio / order - 1.0).abs() < 0.15, "{format:?}: {ratio}");
     }
 }
 
 #[test]
 fn an_asked_error_is_met_with_few_nodes() {
-    for (interpolation, most) in [(Interpolation::Linear, 700), (Interpolation::Hermite, 90)] {
+    for (format, most) in [(TableFormat::Abaqus, 700), (TableFormat::Csv, 90)] {
         let ends = [-1.0, 4.0].map(At::sigmas);
-        let within = |error| ke(ends, 2, Some(error), interpolation);
+        let within = |error| ke(ends, 2, Some(error), format);
         let table = within(1e-4).unwrap();
         assert!(
             table.errors.unwrap()[0] <= 1e-4 && table.nodes.len() <= most,
@@ -69,12 +69,12 @@ fn an_asked_error_is_met_with_few_nodes() {
 
 #[test]
 fn loads_and_pressures_are_ends_like_any_other() {
-    let of = |a, b| ke([a, b], 9, None, Interpolation::Hermite).unwrap().nodes;
+    let of = |a, b| ke([a, b], 9, None, TableFormat::Csv).unwrap().nodes;
     let nodes = of(At::Pressure(1e4), At::Pressure(1e6));
     assert!((nodes[0].pressure / 1e6 - 1.0).abs() < 1e-9);
     // In either order.
     assert_eq!(of(At::Pressure(1e6), At::Pressure(1e4)), nodes);
-    assert!(ke([At::Load(5.0); 2], 9, None, Interpolation::Hermite).is_err());
+    assert!(ke([At::Load(5.0); 2], 9, None, TableFormat::Csv).is_err());
     assert!((nodes[8].pressure / 1e4 - 1.0).abs() < 1e-9);
     assert_eq!(nodes, of(At::Load(1e4 * 3e-5), At::Load(1e6 * 3e-5)));
     let metres = of(At::metres(1e-6), At::metres(3e-6));
@@ -83,7 +83,7 @@ fn loads_and_pressures_are_ends_like_any_other() {
 
 #[test]
 fn the_tangent_of_the_last_node_ends_the_table() {
-    let table = even(41, Interpolation::Linear);
+    let table = even(41, TableFormat::Abaqus);
     let (last, end) = (table.nodes[40], table.cut_off);
     let slope = last.pressure / ((end - last.separation) * 1e-6);
     assert!(end > 4.0 && (slope / last.stiffness - 1.0).abs() < 1e-9);
@@ -98,7 +98,7 @@ fn what_a_solver_cannot_use_is_refused() {
     let table = |scene: &Scene, id: &str, (first, last, nodes): (f64, f64, usize)| {
         let range = ([first, last].map(At::sigmas), nodes, None);
         let model = id.parse::<Model>().unwrap();
-        table(&model, scene, Tolerance::default(), range, Interpolation::Hermite)
+        table(&model, scene, Tolerance::default(), range, TableFormat::Csv)
     };
     let message = table(&odd, "at", (0.0, 4.0, 9)).unwrap_err().to_string();
     assert!(message.starts_with("at a separation of") && message.contains("required"));
@@ -108,12 +108,7 @@ fn what_a_solver_cannot_use_is_refused() {
 }
 
 /// The largest relative errors of pressure and slope at 201 points between any two nodes.
-fn scan(
-    table: &ContactTable,
-    interpolation: Interpolation,
-    model: &Model,
-    scene: &Scene,
-) -> [f64; 2] {
+fn scan(table: &ContactTable, format: TableFormat, model: &Model, scene: &Scene) -> [f64; 2] {
     let request = Request::new([Quantity::Force, Quantity::Tangent]);
     let contact = model.compile(scene, &request).unwrap();
     let mut worst = [0.0_f64; 2];
@@ -125,9 +120,9 @@ fn scan(
             // Bernstein's form of the cubic.
             let s = 1.0 - t;
             let [b, c] = [p - k / 3.0, q + l / 3.0];
-            let (value, fall) = match interpolation {
-                Interpolation::Linear => (s * p + t * q, p - q),
-                Interpolation::Hermite => (
+            let (value, fall) = match format.is_cubic() {
+                false => (s * p + t * q, p - q),
+                true => (
                     s * s * s * p + 3.0 * s * t * (s * b + t * c) + t * t * t * q,
                     3.0 * (s * s * (p - b) + 2.0 * s * t * (b - c) + t * t * (c - q)),
                 ),
@@ -155,7 +150,7 @@ fn the_error_stated_holds_between_all_points_and_is_close() {
         .map(|z| [(z - 1e-8, 0.0), (z - 0.5e-8, 1.0), (z + 0.5e-8, 1.0), (z + 1e-8, 0.0)]);
     let points: Vec<(f64, f64)> = corners.into_iter().flatten().collect();
     peaks.heights = HeightDistribution::other(TabulatedHeights::new("peaks", &points).unwrap());
-    let (lines, cubics) = (Interpolation::Linear, Interpolation::Hermite);
+    let (lines, cubics) = (TableFormat::Abaqus, TableFormat::Csv);
     let cases = [
         ("gw", gaussian(0.6000566651586865), (0.998796301588242, 4.193196351099519), 0.4438, lines),
         ("gw", gaussian(3.104203423893087), (1.650554263752503, 4.8930611650202), 0.02174, cubics),
@@ -166,12 +161,12 @@ fn the_error_stated_holds_between_all_points_and_is_close() {
         ("ke", gaussian(6.0), (-1.0, 4.0), 1e-4, cubics),
         ("ceb", gaussian(6.0), (-1.0, 4.0), 1e-3, lines),
     ];
-    for (id, scene, (first, last), error, interpolation) in cases {
+    for (id, scene, (first, last), error, format) in cases {
         let model = id.parse::<Model>().unwrap();
         let tolerance = Tolerance::new(1e-8).unwrap();
         let range = ([first, last].map(At::sigmas), 2, Some(error));
-        let table = table(&model, &scene, tolerance, range, interpolation).unwrap();
-        let [pressure, slope] = scan(&table, interpolation, &model, &scene);
+        let table = table(&model, &scene, tolerance, range, format).unwrap();
+        let [pressure, slope] = scan(&table, format, &model, &scene);
         let [stated, of_slope] = table.errors.unwrap();
         assert!(stated <= error && pressure <= stated, "{id} {error}: {pressure} {stated}");
         assert!(slope <= of_slope, "{id} {error}: {slope} {of_slope}");
