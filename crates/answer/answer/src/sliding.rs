@@ -41,11 +41,11 @@ pub(crate) trait Sliding {
         Ok(())
     }
 
-    /// The share of the pixels in contact that stick at this amplitude; none by a model of
-    /// asperities.
-    fn sticking(&self, amplitude: f64) -> Outcome<Option<f64>> {
+    /// The pixels of a scan that stick (2) and slip (1) at this amplitude, row after row; none by a
+    /// model of asperities.
+    fn states(&self, amplitude: f64) -> Outcome<Vec<f64>> {
         let _ = amplitude;
-        Ok(None)
+        Ok(vec![])
     }
 }
 

@@ -38,7 +38,8 @@ pub enum Amplitude {
 
 impl Slip<'_> {
     /// Fills a sheet with the loop of one cycle at one preload with this number of shifts, or with
-    /// a row for each of several cycles, all by shift or all by force.
+    /// a row for each of several cycles, all by shift or all by force. Returns the pixels of a scan
+    /// that stick (2) and slip (1) at the amplitude of one cycle, row after row.
     ///
     /// # Errors
     /// The errors of [`PartialSlip`] if no cycle has a result.
@@ -49,10 +50,10 @@ impl Slip<'_> {
         points: usize,
         sheet: &mut Sheet,
         watch: &dyn Watch,
-    ) -> Outcome {
+    ) -> Result<Vec<f64>, AnswerError> {
         self.subject.fill(sheet, |sheet| match (preloads, amplitudes) {
             ([preload], [amplitude]) => self.cycle(*preload, *amplitude, points, sheet, watch),
-            _ => self.cycles(preloads, amplitudes, sheet, watch),
+            _ => self.cycles(preloads, amplitudes, sheet, watch).map(|()| vec![]),
         })
     }
 
@@ -90,7 +91,7 @@ impl Slip<'_> {
         points: usize,
         sheet: &mut Sheet,
         watch: &dyn Watch,
-    ) -> Outcome {
+    ) -> Outcome<Vec<f64>> {
         let heads = ["model", "shift_m", "force_N", "back_N", "forth_N", "loss_J", "loss_factor"];
         sheet.under(&[&heads]);
         let id = self.subject.id();
@@ -124,12 +125,14 @@ impl Slip<'_> {
             "{id}: gross slip begins at a shift of {sliding} m, where {percent} % of mu F = {limit} N is reached"
         );
         sheet.result(text);
-        if let Some(share) = slip.sticking(amplitude)? {
-            let percent = rounded(100.0 * share);
+        let states = slip.states(amplitude)?;
+        if !states.is_empty() {
+            let count = |least: f64| states.iter().filter(|state| **state >= least).count() as f64;
+            let percent = rounded(100.0 * count(2.0) / count(1.0));
             let text = format!("{id}: at this amplitude {percent} % of the contact sticks");
             sheet.result(text);
         }
-        Ok(())
+        Ok(states)
     }
 
     /// A row for each cycle; blank where there is none.

@@ -110,11 +110,13 @@ impl Sliding for ScanSlip<'_> {
         Ok(())
     }
 
-    fn sticking(&self, amplitude: f64) -> Outcome<Option<f64>> {
+    fn states(&self, amplitude: f64) -> Outcome<Vec<f64>> {
         let (tractions, sticks) = self.slip.tractions(amplitude)?;
-        let sticking = sticks.iter().filter(|sticks| **sticks).count();
-        let in_contact = |(traction, sticks): &(&f64, &bool)| **sticks || **traction > 0.0;
-        let contact = tractions.iter().zip(&sticks).filter(in_contact).count();
-        Ok(Some(sticking as f64 / contact as f64))
+        let state = |(traction, sticks): (&f64, &bool)| match (traction, sticks) {
+            (_, true) => 2.0,
+            (traction, false) if *traction > 0.0 => 1.0,
+            _ => 0.0,
+        };
+        Ok(tractions.iter().zip(&sticks).map(state).collect())
     }
 }

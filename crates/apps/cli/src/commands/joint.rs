@@ -7,17 +7,18 @@ use asperity::bem::Bem;
 use asperity::joints::UnloadingLaw;
 use asperity::{At, Described, Model, SeparationUnit, Tolerance};
 use asperity_answer::{Amplitude, Sheet, Slip, history, of_joint, unloading};
+use asperity_plot::draw_map;
 use clap::Args;
 use clap::error::ErrorKind;
 
-use crate::input::args::{DrawnArgs, EndArgs, loads, model_id};
+use crate::input::args::{DrawnArgs, EndArgs, file_ending, loads, model_id};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
 use crate::input::usage_error;
 use crate::interrupt::terminal;
-use crate::output::once;
 use crate::output::plot::Plot;
+use crate::output::{self, contact_map, once};
 use crate::scene::LoadedScene;
 
 /// Shifts of a loop by default, and on a scan, where each is solved.
@@ -56,6 +57,11 @@ pub struct Joint {
     /// Number of shifts from -amplitude to +amplitude of one cycle [default: 101; 21 by bem]
     #[arg(long, value_name = "N", value_parser = count_up_to(100_000), requires = "friction")]
     points: Option<usize>,
+    /// Write which pixels stick (2) and slip (1) at the amplitude of one cycle, by bem; npy is a
+    /// NumPy matrix
+    #[arg(long, value_name = "FILE.npy|svg", requires = "amplitude")]
+    #[arg(value_parser = file_ending(&["npy", "svg"], "maps are written as npy or svg"))]
+    stick_map: Option<PathBuf>,
     #[command(flatten)]
     output: DrawnArgs,
 }
@@ -130,6 +136,10 @@ impl Joint {
         let places = self.place.all(&scene, &model);
         let at = places.first().copied().unwrap_or(At::from(2.0));
         let model = scene.answer(|sheet| of_joint(&scene.file, model, at, sheet))?.1;
+        if self.stick_map.is_some() && (!is_scan || places.len() > 1) {
+            let text = "--stick-map needs --model bem and one load";
+            usage_error("joint", ErrorKind::ArgumentConflict, text);
+        }
         let subject = scene.subject(&model, Tolerance::default());
         if let Some(friction) = self.friction {
             return self.slip(&scene, &Slip { subject, law: laws[0], friction }, &places);
@@ -164,7 +174,16 @@ impl Joint {
         let points = self.points.unwrap_or(POINTS[usize::from(is_scan)]);
         let watch = terminal()?;
         let fill = |sheet: &mut Sheet| slip.answer(preloads, &amplitudes, points, sheet, &watch);
-        let (sheet, ()) = scene.answer(fill)?;
+        let (sheet, states) = scene.answer(fill)?;
+        if let Some(path) = &self.stick_map {
+            let scan = scene.bem()?;
+            if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy")) {
+                contact_map::write(path, &[&states], scan.map().shape())?;
+            } else {
+                let map = contact_map::stick_picture(&scan, &states, &scene.name);
+                output::write_text(Some(path), &draw_map(&map)?)?;
+            }
+        }
         drop(watch);
         self.output.write(&sheet, || {
             if sheet.column("shift_m").is_some() {

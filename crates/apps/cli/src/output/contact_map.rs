@@ -1,4 +1,5 @@
-//! Maps of the contact pressure and of the flow through the gap, drawn or as matrices of numbers.
+//! Maps of the contact pressure, of the flow through the gap and of stick and slip, drawn or as
+//! matrices of numbers.
 
 use std::path::Path;
 
@@ -77,6 +78,18 @@ pub fn flow(
         ..Map::of_flow(flux, bem.map().shape(), bem.map().pixel())
             .with_contacts(&solution.pressures)
     })
+}
+
+/// The map of a contact that slips: 1 where a pixel slips, 2 where it sticks.
+pub fn stick_picture(bem: &Bem, states: &[f64], name: &str) -> Map {
+    Map {
+        title: format!("Stick and slip on {name}"),
+        label: "1: slips".into(),
+        top: 2.0,
+        white: "white: no contact".into(),
+        full: "2: sticks".into(),
+        ..Map::of_pixels(states.to_vec(), bem.map().shape(), bem.map().pixel())
+    }
 }
 
 /// A number in a legible unit.
