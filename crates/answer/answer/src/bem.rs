@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use asperity::bem::{Bem, BemError, BoundaryElements, LoadCase, Progress, Solution};
+use asperity::bem::{Bem, BemError, BoundaryElements, Continuation, LoadCase, Progress, Solution};
 use asperity::{Code, ContactError, ContactModel, Finding, Findings, Quantity, Request};
 use asperity_scene::SceneFile;
 
@@ -48,6 +48,8 @@ pub struct Press<'a> {
     pub given: &'a [LoadCase],
     /// Quantities besides what every solution has.
     pub quantities: &'a [Quantity],
+    /// Whether [`solve`](Self::solve) adds the same on half the grid.
+    pub refine: bool,
     /// Whether [`solve`](Self::solve) keeps the solutions.
     pub keep: bool,
 }
@@ -63,8 +65,8 @@ pub struct Pressed {
     pub solution: Solution,
 }
 
-/// For each load or gap with a solution its cells, and the solution, if it is kept.
-type Solved = Vec<Option<(Vec<Cell>, Option<Solution>)>>;
+/// The cells of each solution, `None` without one, the solutions that are kept, and the findings.
+type Solved = (Vec<Option<Vec<Cell>>>, Vec<Solution>, Findings);
 
 impl<'a> Press<'a> {
     /// Loads or gaps on the scan of a scene, and solutions that are not kept.
@@ -75,7 +77,7 @@ impl<'a> Press<'a> {
         given: &'a [LoadCase],
         quantities: &'a [Quantity],
     ) -> Self {
-        Self { file, bem, given, quantities, keep: false }
+        Self { file, bem, given, quantities, refine: false, keep: false }
     }
 
     /// The columns of a solved load or gap.
@@ -134,7 +136,8 @@ impl<'a> Press<'a> {
     /// Where the work is stopped, the rows are those solved by then.
     ///
     /// # Errors
-    /// Quantities that boundary elements or the scene lack, and where no load is solved.
+    /// Quantities that boundary elements or the scene lack, a grid that cannot be halved, and
+    /// where no load is solved.
     pub fn solve(
         &self,
         sheet: &mut Sheet,
@@ -144,20 +147,41 @@ impl<'a> Press<'a> {
         // Refuses what boundary elements or the scene lack before anything is solved.
         Leaking::of(self.file, self.quantities)?;
         self.bem.compile(&self.file.scene, &Request::new(self.quantities()))?;
-        let solved = self.rows(sheet, watch)?;
+        // Before the hours of the whole grid.
+        let half = self.refine.then(|| half_grid(self.bem)).transpose()?;
+        let (whole, kept, mut found) = self.rows(self.bem, sheet, watch)?;
+        let half = half.filter(|_| !watch.is_stopped());
+        let half = half.map(|half| self.rows(&half, sheet, watch)).transpose()?;
+        let half = half.map(|(rows, _, of_half)| {
+            // What the whole grid is too coarse for, half of it is, too.
+            let known: Vec<Code> = found.iter().map(|one| one.code).collect();
+            let new: Vec<Finding> =
+                of_half.into_iter().filter(|one| !known.contains(&one.code)).collect();
+            found.extend(new);
+            rows
+        });
+        sheet.extend(self.file.accepted(found));
         let width = sheet.heads.len();
+        if half.is_some() {
+            let of_half = |name: &String| format!("{name}_half_grid");
+            let names: Vec<String> = of_grid(&sheet.heads).map(of_half).collect();
+            sheet.heads.extend(names);
+        }
         sheet.heads.push("boundary".into());
-        let (mut kept, is_any) = (vec![], solved.iter().any(Option::is_some));
-        for one in solved {
+        let solved = whole.iter().any(Option::is_some);
+        for (k, row) in whole.into_iter().enumerate() {
             // Loads without a result are blank; those that were not reached are left out.
-            if one.is_none() && (watch.is_stopped() || !is_any) {
+            if row.is_none() && (watch.is_stopped() || !solved) {
                 continue;
             }
-            let (mut cells, solution) = one.unwrap_or_default();
+            let mut cells = row.unwrap_or_default();
             cells.resize(width, Cell::BLANK);
+            if let Some(half) = &half {
+                cells.extend(half[k].iter().flat_map(|cells| of_grid(cells)).cloned());
+            }
+            cells.resize(sheet.heads.len() - 1, Cell::BLANK);
             cells.push(self.bem.continuation().name().into());
             sheet.rows.push(cells);
-            kept.extend(solution);
         }
         if sheet.rows.is_empty() && !watch.is_stopped() {
             return Err("no load was solved".into());
@@ -165,12 +189,18 @@ impl<'a> Press<'a> {
         Ok(kept)
     }
 
-    /// The loads or gaps; adds what is found to the sheet.
-    fn rows(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<Solved, ContactError> {
-        let [rows, columns] = self.bem.map().shape();
-        let elements = self.bem.elements(&self.file.scene.interface)?;
-        let mut answers: Solved = self.given.iter().map(|_| None).collect();
-        let (mut found, mut errors, mut lacks) = (Findings::default(), vec![], vec![]);
+    /// The loads or gaps on a grid.
+    fn rows(
+        &self,
+        bem: &Bem,
+        sheet: &mut Sheet,
+        watch: &dyn Watch,
+    ) -> Result<Solved, ContactError> {
+        let [rows, columns] = bem.map().shape();
+        let elements = bem.elements(&self.file.scene.interface)?;
+        let mut answers: Vec<Option<Vec<Cell>>> = vec![None; self.given.len()];
+        let mut kept: Vec<Option<Solution>> = vec![None; self.given.len()];
+        let (mut found, mut errors, mut lacks) = (Vec::<Finding>::new(), vec![], vec![]);
         let progress = |progress: &Progress| {
             watch.step(&format!(
                 "bem: {} of {} on {rows} x {columns} pixels, iteration {}, residual {:.0e}",
@@ -192,7 +222,8 @@ impl<'a> Press<'a> {
                 lacks.extend(self.quantities().iter().zip(&cells[COLUMNS.len()..]).filter_map(
                     |(quantity, cell)| Some(format!("no {quantity}: {}", cell.reason()?)),
                 ));
-                answers[index] = Some((cells, self.keep.then_some(solution)));
+                answers[index] = Some(cells);
+                kept[index] = self.keep.then_some(solution);
             }
             Err(BemError::Cancelled) => {}
             Err(error) => errors.push(error.to_string()),
@@ -204,12 +235,34 @@ impl<'a> Press<'a> {
         if below > 0 {
             sheet.result(format!("mean_gap is below 0 in {} by the imprint of pixels at the hardness; mean_open_gap is the mean gap of the pixels out of contact", of_all(below)));
         }
-        let solved: Vec<&Vec<Cell>> = answers.iter().flatten().map(|(cells, _)| cells).collect();
+        let solved: Vec<&Vec<Cell>> = answers.iter().flatten().collect();
         let texts = self.leaking().into_iter().flat_map(|seal| seal.results(&solved));
         texts.for_each(|text| sheet.result(text));
         errors.append(&mut lacks);
         once(&errors).iter().for_each(|text| sheet.warn(Code::NoValue, text));
-        sheet.extend(self.file.accepted(found));
-        Ok(answers)
+        let grid = format!("{rows} x {columns} pixels");
+        let kept = kept.into_iter().flatten().collect();
+        Ok((answers, kept, found.into_iter().map(|one| one.from_origin(grid.clone())).collect()))
     }
+}
+
+/// The cells of a row that depend on the grid: without the load and the pressure, which are given,
+/// and the last two of [`COLUMNS`], which are about the solver.
+fn of_grid<T>(row: &[T]) -> impl Iterator<Item = &T> {
+    row[2..COLUMNS.len() - 2].iter().chain(&row[COLUMNS.len()..])
+}
+
+/// Every second pixel, to tell how much depends on the grid.
+///
+/// # Errors
+/// A grid that cannot be halved, with the remedy.
+fn half_grid(bem: &Bem) -> Result<Bem, AnswerError> {
+    let how = match bem.continuation() {
+        Continuation::Periodic => "resample the period to such a grid (a crop is not periodic)",
+        _ => "crop the scan",
+    };
+    let refused = |error| {
+        format!("to refine, rows and columns must be even; {how}, or do not refine: {error}").into()
+    };
+    bem.half_grid().map_err(refused)
 }

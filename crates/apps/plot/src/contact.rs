@@ -8,7 +8,8 @@ const DARKEST: f64 = 0.999;
 
 impl Map {
     /// Values on rows x columns of pixels with these heights and widths \[m\].
-    fn of_pixels(values: Vec<f64>, [rows, columns]: [usize; 2], [dy, dx]: [f64; 2]) -> Self {
+    #[must_use]
+    pub fn of_pixels(values: Vec<f64>, [rows, columns]: [usize; 2], [dy, dx]: [f64; 2]) -> Self {
         let size = [columns as f64 * dx, rows as f64 * dy];
         let (length, unit) = legible(size[0], "m");
         Self { values, columns, size: size.map(|side| side / length), unit, ..Self::default() }

@@ -74,6 +74,14 @@ impl Bem {
         Self { map: self.map.another(seed), ..self.clone() }
     }
 
+    /// The same on every second pixel: see [`HeightMap::half_grid`].
+    ///
+    /// # Errors
+    /// The errors of [`HeightMap::half_grid`].
+    pub fn half_grid(&self) -> Result<Self, BemError> {
+        Ok(Self { map: self.map.half_grid()?, ..self.clone() })
+    }
+
     /// The largest pressure of these bodies \[Pa\]; `None` if they are elastic.
     ///
     /// # Errors

@@ -45,6 +45,9 @@ pub struct BemCommand {
     /// 8]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=1000))]
     samples: Option<u16>,
+    /// Add the results on every second pixel, to show their dependence on the grid
+    #[arg(long)]
+    refine: bool,
     /// Write the pressures in Pa as a NumPy matrix, stacked for several loads
     #[arg(long, value_name = "FILE.npy", value_parser = file_ending(&["npy"], NPY))]
     map: Option<PathBuf>,
@@ -74,7 +77,7 @@ struct Places {
     pressures: Vec<Numbers>,
     /// Pressures at which the last open path along x and along y closes, over several samples of
     /// the surface: lowest, middle and highest, since one scan is one of many
-    #[arg(long, conflicts_with_all = ["quantities", "map", "flow_picture"])]
+    #[arg(long, conflicts_with_all = ["quantities", "refine", "map", "flow_picture"])]
     sealing_pressure: bool,
     /// Loads on the nominal area, in N
     #[arg(long = "load", value_name = "A:B:N[:log]|v,v", value_parser = all(load))]
@@ -113,6 +116,7 @@ impl BemCommand {
         }
         let given: Vec<LoadCase> = pressures.iter().copied().map(LoadCase::MeanPressure).collect();
         let press = Press {
+            refine: self.refine,
             keep: [&self.map, &self.picture, &self.flow_picture].into_iter().any(Option::is_some),
             ..Press::new(&scene.file, &bem, &given, &self.quantities)
         };

@@ -76,6 +76,7 @@ fn steps_at_the_edges_stay_where_the_map_is_declared_periodic() {
     let usual = Bem::new(cut.clone(), options(None, true));
     assert!(usual.note().is_some_and(|note| note.value > 3.0) && usual.map().edges_meet());
     assert_eq!(usual.continuation(), Continuation::PeriodicPart);
+    assert_eq!(usual.half_grid().unwrap().map().shape(), [20, 32]);
     let requested = Bem::new(cut.clone(), options(Some(Continuation::PeriodicPart), true));
     assert!(requested.note().is_none() && requested.map() == usual.map());
     for continuation in [Continuation::Periodic, Continuation::Free] {
