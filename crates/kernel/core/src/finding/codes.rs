@@ -114,12 +114,6 @@ impl Serialize for Code {
     }
 }
 
-impl PartialEq<&str> for Code {
-    fn eq(&self, name: &&str) -> bool {
-        self.name() == *name
-    }
-}
-
 // A line a code: its name, what it means, when it is harmless, what to do.
 codes! {
     AboveHardness "above-hardness" "The mean pressure on the real area exceeds 1.5 times the hardness, by a model that does not limit the pressure." "Never: the contacts would yield, and the real area is larger." "Use a model of yielding asperities." { of_model: true };
