@@ -110,7 +110,7 @@ impl Topography {
             statistics.mean_plane_offset = statistics.mean_plane_offset.and_then(|_| measured());
         }
         statistics.missing_share = self.missing_share() + self.filled_share();
-        statistics.despiked = self.despiked_points();
+        statistics.despiked = self.despiked;
         statistics.outliers = self.outliers();
         let notes = self.notes().iter().cloned().chain(warning::filled(self.filled_share()));
         if let Some(found) = warning::outliers(&statistics.outliers) {
