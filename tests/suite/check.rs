@@ -191,7 +191,7 @@ fn findings_at_a_load_report_depth_and_crowding() {
     // With many places, the closest and the lightest are checked, and findings are reported once.
     let places = [At::Load(0.01), At::Load(1.0), At::Load(30.0)];
     let found = Check::answers(&model("gw"), &scene, None, &places);
-    let found: Vec<_> = found.iter().map(|f| f.code).collect();
+    let found: Vec<_> = found.iter().map(|f| f.code.name()).collect();
     assert_eq!(found, ["yields", "few-contacts"]);
     // Units count: -1 σ_z is closer than 4e-6 m, though a smaller number.
     let places = [At::from(-1.0), At::metres(4e-6)];

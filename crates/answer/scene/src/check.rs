@@ -4,7 +4,7 @@
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     Advice, At, Check, Code, Contact, ContactError, ContactModel, DerivedNumber, Finding, Findings,
-    HeightDistribution, Plausible, ProfileMoments, Quantity, Request, outside, unusual,
+    HeightDistribution, Plausible, Quantity, Request, outside, unusual,
 };
 use asperity_curved::Shape;
 use asperity_topography::Statistics;
