@@ -119,7 +119,7 @@ fn good_scenes_have_no_findings() {
         let found = scene.findings();
         // Indium, and gold in small asperities, yield at interferences below the size of an atom.
         let atomic =
-            ["gold microswitch", "indium seal"].contains(&name) && found[0].code == "atomic";
+            ["gold microswitch", "indium seal"].contains(&name) && found[0].code.name() == "atomic";
         assert!(found.is_empty() || atomic && found.len() == 1, "{name}: {:?}", messages(&found));
         Check::of(&scene).unwrap();
     }
@@ -173,7 +173,7 @@ fn derived_numbers_equal_their_formulas() {
 #[test]
 fn findings_at_a_load_report_depth_and_crowding() {
     let scene = named("at-paper");
-    let codes = |check: &Check| check.findings.iter().map(|f| f.code).collect::<Vec<_>>();
+    let codes = |check: &Check| check.findings.iter().map(|f| f.code.name()).collect::<Vec<_>>();
     let at = |id: &str, at: At| Check::at(&model(id), &scene, at).unwrap();
     // psi = 6: yielding asperities carry nearly all of the load, which GW ignores.
     let gw = at("gw", At::from(2.0));
@@ -191,7 +191,7 @@ fn findings_at_a_load_report_depth_and_crowding() {
     // With many places, the closest and the lightest are checked, and findings are reported once.
     let places = [At::Load(0.01), At::Load(1.0), At::Load(30.0)];
     let found = Check::answers(&model("gw"), &scene, None, &places);
-    let found: Vec<_> = found.iter().map(|f| f.code).collect();
+    let found: Vec<_> = found.iter().map(|f| f.code.name()).collect();
     assert_eq!(found, ["yields", "few-contacts"]);
     // Units count: -1 σ_z is closer than 4e-6 m, though a smaller number.
     let places = [At::from(-1.0), At::metres(4e-6)];
@@ -282,7 +282,7 @@ fn a_known_defect_is_found_where_it_matters() {
         let surface = Surface::from_plasticity_index(index, 0.04, 1e-6, &interface).unwrap();
         let scene = Scene::new(interface, surface, 3e-5);
         let check = Check::at(&model("etsion"), &scene, At::Pressure(2e6)).unwrap();
-        let found = check.findings.iter().find(|finding| finding.code == "fit-misses");
+        let found = check.findings.iter().find(|finding| finding.code.name() == "fit-misses");
         let severity = found.map(|found| found.severity);
         assert_eq!(severity, expected.then_some(Severity::Warning), "{index}: {found:?}");
     }

@@ -220,7 +220,7 @@ fn the_printed_sum_gives_its_negative_values_with_a_warning() {
     let forces = answer.values(Quantity::Force).unwrap();
     let negative = forces.iter().filter(|f| **f < 0.0).count();
     let force = Some(Quantity::Force);
-    let found = answer.warnings.iter().find(|w| w.code == "negative" && w.quantity == force);
+    let found = answer.warnings.iter().find(|w| w.code.name() == "negative" && w.quantity == force);
     let found = found.map(|w| (w.model.as_deref().unwrap(), w.count, w.at.unwrap(), w.value));
     // At d = 30 the elastic part outweighs the rest: positive, if tiny.
     assert!(negative == 3 && forces[2] >= 0.0, "{forces:?}");

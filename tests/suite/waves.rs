@@ -41,7 +41,7 @@ fn forces_that_fall_though_declared_monotone_are_searched() {
     }
     let asperity = scene.asperity().unwrap();
     let found = testkit::check(&Wavy, &asperity).unwrap();
-    assert!(found.iter().any(|f| f.code == "not-monotone"), "{found:?}");
+    assert!(found.iter().any(|f| f.code.name() == "not-monotone"), "{found:?}");
 }
 
 /// A law that waves without end, about a line.

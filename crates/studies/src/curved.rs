@@ -47,7 +47,7 @@ fn ratios(id: &str, sigma: f64, shape: Shape, load: f64) -> Result<[f64; 4]> {
     let asked = [Quantity::Area];
     let curved = Curved::new(&model, &scene(sigma), shape, &asked, Tolerance::new(1e-7)?)?;
     let mut found = curved.at_load(load)?;
-    let hertz = *found.hertz();
+    let hertz = found.hertz;
     let approach = hertz.approach.context("an approach")?;
     Ok([
         sigma / approach,

@@ -44,7 +44,7 @@ pub fn patch(
             continue;
         }
         let place = found.place(k);
-        let hertz = found.hertz().pressure(place);
+        let hertz = found.hertz.pressure(place);
         let flexibility = ratio.map(|ratio| (ratio * stiffnesses[k]).recip());
         let numbers = [place[0], place[1], *pressure, hertz, separations[k], areas[k]];
         all.add(&[], numbers.map(Cell::from).into_iter().chain([flexibility.into()]));

@@ -145,7 +145,7 @@ fn what_would_narrow_a_slope_is_not_given_already() {
         assert_eq!(slope.narrowed, narrowed);
     }
     let (_, sheet) = ends(&finished("ground", 0.8, 2e9), "gw", Quantity::Tangent);
-    assert!(sheet.findings.iter().any(|found| found.code == "waviness"));
+    assert!(sheet.findings.iter().any(|found| found.code.name() == "waviness"));
     assert!(sheet.results.iter().any(|text| text.contains("mean_slope")), "{:?}", sheet.results);
 }
 

@@ -4,7 +4,7 @@
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     Advice, At, Check, Code, Contact, ContactError, ContactModel, DerivedNumber, Finding, Findings,
-    HeightDistribution, Plausible, ProfileMoments, Quantity, Request, outside, unusual,
+    HeightDistribution, Plausible, Quantity, Request, outside, unusual,
 };
 use asperity_curved::Shape;
 use asperity_topography::Statistics;
@@ -179,8 +179,8 @@ impl SceneFile {
     #[must_use]
     pub fn gap_roughness(&self) -> GapRoughness {
         let measured = self.measured.as_deref().map(|measured| &measured.statistics);
-        let measured = measured.map(|s| ProfileMoments { m0: s.m0, m2: s.m2, m4: s.m4 });
-        GapRoughness::of(&measured.unwrap_or_else(|| self.scene.surface.moments()))
+        let moments = measured.map(|statistics| statistics.moments.profile);
+        GapRoughness::of(&moments.unwrap_or_else(|| self.scene.surface.moments()))
     }
 
     /// The derived numbers of the scene and, for a model, at a separation or load, with findings;
@@ -256,13 +256,14 @@ impl SceneFile {
         let of_answer = std::mem::take(&mut check.findings).into_iter();
         check.findings = of_answer.filter(|found| valid && found.model.is_some()).collect();
         if let Some(Measured { statistics, pixel_size, .. }) = self.measured.as_deref() {
-            let slope = (2.0 * statistics.m2).sqrt();
+            let moments = statistics.moments.profile;
+            let slope = (2.0 * moments.m2).sqrt();
             for (name, value, unit, meaning) in [
                 ("measured_height_std", statistics.sq, "m", "Sq"),
                 ("measured_skewness", statistics.ssk, "", "Ssk"),
                 ("measured_kurtosis", statistics.sku, "", "Sku, 3 for Gaussian heights"),
                 ("measured_slope", slope, "", "rms gradient of the scan"),
-                ("measured_bandwidth", statistics.alpha, "", "of the measured profiles"),
+                ("measured_bandwidth", moments.bandwidth(), "", "of the measured profiles"),
                 ("pixel_size", *pixel_size, "m", "of the scan"),
             ] {
                 check.add_number(name, value, unit, meaning);

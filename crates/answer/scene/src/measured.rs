@@ -190,7 +190,7 @@ mod tests {
     #[test]
     fn every_choice_changes_the_surface() {
         let std = |level, filter, estimator| {
-            statistics(level, filter, estimator).asperity_height_std.unwrap()
+            statistics(level, filter, estimator).surface().unwrap().asperity_height_std
         };
         let plain = std(Level::Plane, None, Estimator::Moments);
         // 60 waves of 1e-7 have a variance of 30e-14, (0.548e-6)²; that of asperities is smaller.

@@ -51,8 +51,7 @@ impl<'s> One<'s> {
         // Of aligned scans the sum is measured.
         let none = ProfileMoments { m0: 0.0, m2: 0.0, m4: 0.0 };
         let (moments, asperities) = measured.map_or((none, None), |measured| {
-            let Statistics { m0, m2, m4, .. } = measured.statistics;
-            (ProfileMoments { m0, m2, m4 }, measured.statistics.surface().ok())
+            (measured.statistics.moments.profile, measured.statistics.surface().ok())
         });
         let height_std = Some(moments.m0.sqrt());
         Ok(Self { moments, asperities, height_std, measured })
@@ -97,8 +96,9 @@ fn measured(
 }
 
 /// A Gaussian surface with the rms height and slope of a scan without asperities.
-fn alike(Statistics { m0, m2, .. }: &Statistics) -> Result<Surface, ContactError> {
-    Surface::from_moments(&ProfileMoments { m0: *m0, m2: *m2, m4: BANDWIDTH * m2 * m2 / m0 })
+fn alike(measured: &Statistics) -> Result<Surface, ContactError> {
+    let ProfileMoments { m0, m2, .. } = measured.moments.profile;
+    Surface::from_moments(&ProfileMoments { m0, m2, m4: BANDWIDTH * m2 * m2 / m0 })
 }
 
 /// The interface of the bodies; an error names the body.

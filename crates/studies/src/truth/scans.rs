@@ -91,7 +91,8 @@ fn scans(surface: &RandomSurface, [waves, hurst]: [f64; 2], seed: u64) -> Result
     let found = topography.with_periodic(true).statistics(Estimator::Moments)?;
     let slopes =
         found.moments.texture().map_or([1.0; 2], |lay| [lay.slope_along, lay.slope_across]);
-    let gradient = (2.0 * found.m2).sqrt();
+    let moments = found.moments.profile;
+    let gradient = (2.0 * moments.m2).sqrt();
     let mut all = vec![];
     for index in INDICES {
         let hardness = scene(surface, index)?.interface.hardness;
@@ -100,14 +101,14 @@ fn scans(surface: &RandomSurface, [waves, hurst]: [f64; 2], seed: u64) -> Result
             elements = elements.hardness(hardness)?;
         }
         let strain = hardness.map_or(0.0, |hardness| MODULUS * gradient / hardness);
-        let side = map.pixel()[0] * PIXELS as f64 * (found.m2 / found.m0).sqrt();
+        let side = map.pixel()[0] * PIXELS as f64 * (moments.m2 / moments.m0).sqrt();
         all.extend(contacts(&elements, &LOADS, found.sq, false)?.into_iter().map(|contact| {
             let shape = SurfaceShape::new(found.ssk, slopes);
             Scan {
                 waves,
                 hurst,
                 seed,
-                alpha: digits(found.alpha),
+                alpha: digits(moments.bandwidth()),
                 skewness: digits(found.ssk),
                 slope_skewness: digits(found.moments.slope_skewness()),
                 slope_ratio: digits(shape.slope_ratio),

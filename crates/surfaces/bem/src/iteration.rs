@@ -26,6 +26,8 @@ use crate::projection::Projection;
 const LEAST_FREE: f64 = 0.01;
 /// Relative rise of the energy that is more than rounding.
 const RISE: f64 = 1e-10;
+/// Largest number of iterations for one load; 15 to 60 are usual.
+const MOST_ITERATIONS: usize = 1000;
 
 /// The problem: heights, bounds of the pressure, and load.
 #[derive(Clone, Copy)]
@@ -91,7 +93,6 @@ pub(crate) struct Goal {
     /// Unit of the residual \[m\].
     pub(crate) scale: f64,
     pub(crate) tolerance: f64,
-    pub(crate) most_iterations: usize,
 }
 
 /// The state at which an iteration ended.
@@ -124,7 +125,7 @@ impl<'a> Iteration<'a> {
                 return Err(BemError::Cancelled);
             }
             let first = cold && iterations == 0;
-            if iterations >= goal.most_iterations
+            if iterations >= MOST_ITERATIONS
                 || !inside(|| iteration.advance(standing, first, space))
             {
                 let required = goal.tolerance;

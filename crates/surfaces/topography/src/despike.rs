@@ -54,7 +54,7 @@ impl Topography {
 
     /// The surface with its [outliers](Self::outliers) replaced as missing points are
     /// [filled](Self::fill), by harmonic heights; missing points stay missing.
-    /// [`despiked_points`](Self::despiked_points) counts them.
+    /// [`Statistics`](crate::Statistics) count them.
     ///
     /// # Errors
     /// The errors of [`fill`](Self::fill), for the outliers alone;

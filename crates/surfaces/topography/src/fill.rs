@@ -233,7 +233,7 @@ mod tests {
         let holed = holed(height, [1.0; 2], false);
         let [open, filled] = [holed.clone(), holed.fill().unwrap()].map(|s| statistics(s).unwrap());
         assert!((open.missing_share - filled.missing_share).abs() < 1e-15);
-        assert!((filled.m2 / open.m2 - 1.0).abs() < 0.03);
+        assert!((filled.moments.profile.m2 / open.moments.profile.m2 - 1.0).abs() < 0.03);
         let has_warning = |statistics: &crate::Statistics| {
             statistics.warnings.iter().any(|w| w.to_string().contains("filled"))
         };

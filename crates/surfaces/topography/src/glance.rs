@@ -3,6 +3,7 @@
 
 use std::borrow::Cow;
 
+use asperity_core::{ProfileMoments, Surface};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use crate::topography::extremes;
@@ -184,19 +185,21 @@ impl Statistics {
     #[must_use]
     pub fn numbers(&self) -> [Reported; 17] {
         let Outliers { count, largest, m4_share, .. } = self.outliers;
+        let ProfileMoments { m0, m2, m4 } = self.moments.profile;
+        let of = |number: fn(&Surface) -> f64| self.asperities.as_ref().ok().map(number);
         let all: [Number; 17] = [
             ("sq", Some(self.sq), "m", "standard deviation of the heights"),
             ("ssk", Some(self.ssk), "", "skewness of the heights"),
             ("sku", Some(self.sku), "", "kurtosis of the heights, 3 for a Gaussian surface"),
-            ("m0", Some(self.m0), "m2", "profile moment <z^2>"),
-            ("m2", Some(self.m2), "", "profile moment <z'^2>"),
-            ("m4", Some(self.m4), "1/m2", "profile moment <z''^2>"),
-            ("alpha", Some(self.alpha), "", "bandwidth m0 m4/m2^2"),
-            ("asperity_density", self.asperity_density, "1/m2", "eta"),
-            ("asperity_radius", self.asperity_radius, "m", "R"),
-            ("asperity_height_std", self.asperity_height_std, "m", "sigma_z"),
-            ("beta", self.beta, "", "eta R sq"),
-            ("beta_z", self.beta_z, "", "eta R sigma_z"),
+            ("m0", Some(m0), "m2", "profile moment <z^2>"),
+            ("m2", Some(m2), "", "profile moment <z'^2>"),
+            ("m4", Some(m4), "1/m2", "profile moment <z''^2>"),
+            ("alpha", Some(self.moments.profile.bandwidth()), "", "bandwidth m0 m4/m2^2"),
+            ("asperity_density", of(|one| one.asperity_density), "1/m2", "eta"),
+            ("asperity_radius", of(|one| one.asperity_radius), "m", "R"),
+            ("asperity_height_std", of(|one| one.asperity_height_std), "m", "sigma_z"),
+            ("beta", self.beta(), "", "eta R sq"),
+            ("beta_z", of(Surface::roughness_parameter), "", "eta R sigma_z"),
             ("missing_share", Some(self.missing_share), "", "share of missing points"),
             ("despiked", Some(self.despiked as f64), "", "replaced outliers"),
             ("outliers", Some(count as f64), "", "points far outside their neighbours"),

@@ -249,7 +249,7 @@ mod tests {
         );
         let tilted = periodic.clone().levelled(Some(Level::Plane)).unwrap();
         assert!(slopes(&tilted)[1] > 1.5 * kept[1]);
-        assert_eq!(Level::Plane.tilts(true).unwrap().code, "level");
+        assert_eq!(Level::Plane.tilts(true).unwrap().code.name(), "level");
         assert!(Level::Plane.tilts(false).is_none() && Level::Mean.tilts(true).is_none());
         // A surface that is not periodic has the tilt of the instrument.
         let level = wave.clone().level(Level::Plane).unwrap();

@@ -1,6 +1,7 @@
 //! Statistics of a surface: heights, moments, outliers, asperities.
 
 use asperity_core::{Code, Finding, ProfileMoments, Surface};
+use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
 
 use crate::error::named;
@@ -26,9 +27,11 @@ pub enum Estimator {
 named!(Estimator, "estimator");
 
 /// Statistics of a surface, in SI units.
-/// Serialisation has the numbers from `sq` to `outliers` only; those of asperities are null where
-/// the estimator finds none: a sphere, a wave or a step has heights and moments all the same.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+///
+/// Serialisation has the [numbers](Self::numbers) up to `beta_z`, `missing_share`, `despiked` and
+/// `outliers`; those of asperities are null where the estimator finds none: a sphere, a wave or a
+/// step has heights and moments all the same.
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Statistics {
     /// Sq \[m\]: standard deviation of the heights about their mean.
@@ -37,24 +40,8 @@ pub struct Statistics {
     pub ssk: f64,
     /// Sku: kurtosis of the heights, 3 for a Gaussian surface.
     pub sku: f64,
-    /// m₀ \[m²\] of profiles.
-    pub m0: f64,
-    /// m₂ of profiles.
-    pub m2: f64,
-    /// m₄ \[1/m²\] of profiles.
-    pub m4: f64,
-    /// Bandwidth α = m₀ m₄/m₂².
-    pub alpha: f64,
-    /// η \[1/m²\] by the estimator.
-    pub asperity_density: Option<f64>,
-    /// R \[m\] by the estimator.
-    pub asperity_radius: Option<f64>,
-    /// σ_z \[m\] by the estimator.
-    pub asperity_height_std: Option<f64>,
-    /// β = η R Sq.
-    pub beta: Option<f64>,
-    /// β_z = η R σ_z.
-    pub beta_z: Option<f64>,
+    /// The moments of profiles, by direction, and the areal ones.
+    pub moments: Moments,
     /// Share of the points that are missing or were filled, 0 to 1.
     pub missing_share: f64,
     /// The number of outliers that were replaced.
@@ -63,20 +50,26 @@ pub struct Statistics {
     pub outliers: Outliers,
     /// Height of the mean of the asperities above the mean plane \[m\], of the summits found or of
     /// a Gaussian surface with these moments.
-    #[serde(skip)]
     pub mean_plane_offset: Option<f64>,
     /// The estimator of the asperities.
-    #[serde(skip)]
     pub estimator: Estimator,
-    /// The moments by direction, and the areal ones.
-    #[serde(skip)]
-    pub moments: Moments,
     /// The asperities, or the reason why the estimator finds none.
-    #[serde(skip)]
-    asperities: Result<Surface, String>,
+    pub(crate) asperities: Result<Surface, String>,
     /// Findings of these numbers.
-    #[serde(skip)]
     pub warnings: Vec<Finding>,
+}
+
+impl Serialize for Statistics {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        let [numbers @ .., _despiked, _count, _largest, _share] = self.numbers();
+        for number in numbers {
+            map.serialize_entry(number.name, &number.value)?;
+        }
+        map.serialize_entry("despiked", &self.despiked)?;
+        map.serialize_entry("outliers", &self.outliers)?;
+        map.end()
+    }
 }
 
 impl Topography {
@@ -117,7 +110,7 @@ impl Topography {
             statistics.mean_plane_offset = statistics.mean_plane_offset.and_then(|_| measured());
         }
         statistics.missing_share = self.missing_share() + self.filled_share();
-        statistics.despiked = self.despiked_points();
+        statistics.despiked = self.despiked;
         statistics.outliers = self.outliers();
         let notes = self.notes().iter().cloned().chain(warning::filled(self.filled_share()));
         if let Some(found) = warning::outliers(&statistics.outliers) {
@@ -159,37 +152,30 @@ impl Statistics {
         estimator: Estimator,
         asperities: Result<Surface, String>,
     ) -> Self {
-        let profile = moments.profile;
-        let sq = profile.m0.sqrt();
-        let surface = asperities.as_ref().ok().copied();
-        let of = |number: fn(&Surface) -> f64| surface.as_ref().map(number);
-        let beta = of(|surface| surface.asperity_density * surface.asperity_radius);
-        let beta = beta.map(|per_length| per_length * sq);
         let without = asperities.as_ref().err().map(|reason| warning::no_asperities(reason));
-        let beta_found = beta.and_then(warning::roughness_parameter);
-        let found = [without, beta_found, warning::anisotropic(&moments)];
-        Self {
-            sq,
+        let mut statistics = Self {
+            sq: moments.profile.m0.sqrt(),
             ssk,
             sku,
-            m0: profile.m0,
-            m2: profile.m2,
-            m4: profile.m4,
-            alpha: profile.bandwidth(),
-            asperity_density: of(|surface| surface.asperity_density),
-            asperity_radius: of(|surface| surface.asperity_radius),
-            asperity_height_std: of(|surface| surface.asperity_height_std),
-            beta,
-            beta_z: of(Surface::roughness_parameter),
+            moments,
             missing_share: 0.0,
             despiked: 0,
             outliers: Outliers::default(),
-            mean_plane_offset: of(Surface::mean_plane_offset),
+            mean_plane_offset: asperities.as_ref().ok().map(Surface::mean_plane_offset),
             estimator,
-            moments,
             asperities,
-            warnings: found.into_iter().flatten().collect(),
-        }
+            warnings: vec![],
+        };
+        let beta = statistics.beta().and_then(warning::roughness_parameter);
+        let found = [without, beta, warning::anisotropic(&moments)];
+        statistics.warnings = found.into_iter().flatten().collect();
+        statistics
+    }
+
+    /// β = η R Sq.
+    pub(crate) fn beta(&self) -> Option<f64> {
+        let surface = self.asperities.as_ref().ok()?;
+        Some(surface.asperity_density * surface.asperity_radius * self.sq)
     }
 
     /// The asperities as a surface for a scene.
@@ -225,14 +211,14 @@ impl Statistics {
         let moments = first.moments.plus(&second.moments);
         let surface = Surface::from_moments(&moments.profile);
         let surface = surface.map_err(|reason| TopographyError::Moments(reason).to_string());
-        let m0 = moments.profile.m0;
-        let third = |of: &Self| of.ssk * (of.m0 / m0).powf(1.5);
-        let fourth = |of: &Self| (of.sku - 3.0) * (of.m0 / m0).powi(2);
+        let ProfileMoments { m0, m4, .. } = moments.profile;
+        let third = |of: &Self| of.ssk * (of.moments.profile.m0 / m0).powf(1.5);
+        let fourth = |of: &Self| (of.sku - 3.0) * (of.moments.profile.m0 / m0).powi(2);
         let shape = [third(first) + third(second), 3.0 + fourth(first) + fourth(second)];
         let mut combined = Self::new(shape, moments, Estimator::Moments, surface);
         combined.missing_share = 1.0 - (1.0 - first.missing_share) * (1.0 - second.missing_share);
         combined.despiked = first.despiked + second.despiked;
-        combined.outliers = first.outliers.plus(&second.outliers, first.m4 / combined.m4);
+        combined.outliers = first.outliers.plus(&second.outliers, first.moments.profile.m4 / m4);
         if let Some(found) = warning::outliers(&combined.outliers) {
             combined.warnings = vec![found];
         }
@@ -244,7 +230,7 @@ impl Statistics {
     /// An unusual rms slope of a scan with this pixel size \[m\], most often by a wrong unit.
     #[must_use]
     pub fn unusual_slope(&self, pixel_size: f64) -> Option<Finding> {
-        let slope = (2.0 * self.m2).sqrt();
+        let slope = (2.0 * self.moments.profile.m2).sqrt();
         let found = Finding::warning(Code::UnusualSize, "measured_slope", slope)
             .implausible(slope > SLOPE[1])
             .usual(SLOPE)

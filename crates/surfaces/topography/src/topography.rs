@@ -163,12 +163,6 @@ impl Topography {
         self.filled as f64 / self.heights.len() as f64
     }
 
-    /// The number of outliers that have been [replaced](Self::despiked).
-    #[must_use]
-    pub fn despiked_points(&self) -> usize {
-        self.despiked
-    }
-
     /// The surface without these points.
     pub(crate) fn without_points(mut self, points: &[usize]) -> Self {
         for at in points {

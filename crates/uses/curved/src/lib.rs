@@ -25,7 +25,7 @@
 //! let curved = Curved::new(&KogutEtsion, &scene, ball, &[], Tolerance::new(1e-6)?)?;
 //! let found = curved.at_load(30.0)?;
 //! assert!((found.peak_pressure() / 827.580574767e6 - 1.0).abs() < 1e-6);
-//! assert!(found.peak_pressure() < 0.8 * found.hertz().peak_pressure);
+//! assert!(found.peak_pressure() < 0.8 * found.hertz.peak_pressure);
 //! # Ok::<(), ContactError>(())
 //! ```
 
@@ -130,7 +130,6 @@ impl Grid {
 pub struct Curved {
     layer: Layer,
     shape: Shape,
-    asked: Vec<Quantity>,
     tolerance: f64,
 }
 
@@ -177,7 +176,7 @@ impl Curved {
         };
         let of_layer = Tolerance::new((0.01 * tolerance.relative()).max(1e-12))?;
         let layer = Layer::new(model, scene, asked, of_layer)?;
-        Ok(Self { layer, shape, asked: asked.to_vec(), tolerance: tolerance.relative() })
+        Ok(Self { layer, shape, tolerance: tolerance.relative() })
     }
 
     /// The contact at a load \[N\].
@@ -203,7 +202,7 @@ impl Curved {
             let state = self.solve(&hertz, load, wider, tolerance)?;
             let edge = state.edge() / state.peak();
             if edge <= 10.0 * EDGE {
-                return Ok(Solution::new(self, hertz, load, state));
+                return Ok(Solution { of: self, state, load, hertz });
             }
             wider *= 1.3;
             if wider > WIDEST {

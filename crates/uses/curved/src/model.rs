@@ -201,7 +201,7 @@ impl OfBodies {
         let has_length = found.approach().is_some();
         let sigma = self.scene.surface.asperity_height_std;
         let (value, size) = match quantity {
-            Quantity::Force => (found.load(), 0.0),
+            Quantity::Force => (found.load, 0.0),
             Quantity::Area | Quantity::Contacts => (found.sum(quantity)?, 0.0),
             Quantity::Tangent if has_length => (found.tangent()?, 0.0),
             Quantity::Approach => match self.given(at)? {
@@ -210,9 +210,7 @@ impl OfBodies {
             },
             Quantity::ApproachBeyondHertz => (found.approach_beyond_hertz(), sigma),
             Quantity::PeakPressure => (found.peak_pressure(), 0.0),
-            Quantity::PeakPressureRatio => {
-                (found.peak_pressure() / found.hertz().peak_pressure, 0.0)
-            }
+            Quantity::PeakPressureRatio => (found.peak_pressure() / found.hertz.peak_pressure, 0.0),
             Quantity::AxisX => (found.axes()[0], 0.0),
             Quantity::AxisY => (found.axes()[1], 0.0),
             Quantity::EffectiveRadius => {
@@ -279,7 +277,7 @@ impl OfBodies {
             let meaning = "a single contact of few asperities scatters";
             notes.push(few.usual([10.0, f64::INFINITY]).advice(meaning));
         }
-        notes.into_iter().map(|note: Finding| note.at(At::Load(found.load()))).collect()
+        notes.into_iter().map(|note: Finding| note.at(At::Load(found.load))).collect()
     }
 }
 

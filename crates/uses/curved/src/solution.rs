@@ -9,10 +9,12 @@ use crate::{Curved, Grid, Hertz, Shape};
 
 /// A solved contact of curved bodies.
 pub struct Solution<'c> {
-    of: &'c Curved,
-    hertz: Hertz,
-    load: f64,
-    state: State,
+    pub(crate) of: &'c Curved,
+    pub(crate) state: State,
+    /// The load \[N\].
+    pub load: f64,
+    /// The contact of the same smooth bodies at this load.
+    pub hertz: Hertz,
 }
 
 impl std::fmt::Debug for Solution<'_> {
@@ -22,23 +24,7 @@ impl std::fmt::Debug for Solution<'_> {
     }
 }
 
-impl<'c> Solution<'c> {
-    pub(crate) fn new(of: &'c Curved, hertz: Hertz, load: f64, state: State) -> Self {
-        Self { of, hertz, load, state }
-    }
-
-    /// The load \[N\].
-    #[must_use]
-    pub fn load(&self) -> f64 {
-        self.load
-    }
-
-    /// The contact of the same smooth bodies at this load.
-    #[must_use]
-    pub fn hertz(&self) -> &Hertz {
-        &self.hertz
-    }
-
+impl Solution<'_> {
     /// The steps of Newton's method.
     #[must_use]
     pub fn steps(&self) -> usize {
@@ -155,9 +141,6 @@ impl<'c> Solution<'c> {
     /// # Errors
     /// [`ContactError::NotRequested`] for a quantity that was not asked for.
     pub fn per_area(&self, quantity: Quantity) -> Result<Vec<f64>, ContactError> {
-        if !self.of.asked.contains(&quantity) {
-            return Err(ContactError::NotRequested { quantity });
-        }
         let mut values = vec![0.0; self.state.separations.len()];
         self.of.layer.fill([quantity], &self.state.separations, [&mut values])?;
         Ok(values)

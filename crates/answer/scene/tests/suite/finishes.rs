@@ -225,7 +225,7 @@ fn one_end_of_every_range_is_taken_and_the_keys_are_written_again() {
     for (end, k) in [("lower", 0), ("middle", 1), ("upper", 2)] {
         let (taken, note) = file.taken_at(end).unwrap();
         near(taken.scene.surface.moments().m0.sqrt(), ranges(&file)[0][k], 1e-12);
-        assert_eq!(note.unwrap().code, "taken-at");
+        assert_eq!(note.unwrap().code.name(), "taken-at");
         assert!(taken.unknowns().is_empty() && taken.taken_at(end).unwrap().1.is_none());
     }
     assert!(matches!(file.taken_at("most"), Err(SceneError::Refused { .. })));
@@ -400,7 +400,7 @@ fn the_other_surface_of_a_finish_is_said_or_warned_of() {
     let ground = "ra = [\"0.6 um\", \"1 um\"]\nfinish = \"ground\"";
     let with = |word: &str| scene(&format!("{ground}\ncounterface = \"{word}\""));
     let is_warned =
-        |file: &SceneFile| file.warnings.iter().any(|one| one.code == "smooth-counterface");
+        |file: &SceneFile| file.warnings.iter().any(|one| one.code.name() == "smooth-counterface");
     assert!(is_warned(&scene(ground)) && scene(ground).model("ke-pairs").is_ok());
     // No rough surface that is not known within ranges needs the key.
     assert!(!is_warned(&scene(KNOWN)) && !is_warned(&scene("m0 = 1e-12\nm2 = 1e-4\nm4 = 5e4")));

@@ -50,7 +50,7 @@ fn a_scatter_of_the_data_moves_the_minimum_and_widens_the_interval_as_it_should(
     let found = fitted("gw-random", &pressures, scatter);
     let one = &found.parameters[0];
     assert!(
-        found.converged && found.findings.iter().all(|one| one.code != "undetermined"),
+        found.converged && found.findings.iter().all(|one| one.code.name() != "undetermined"),
         "{found:?}"
     );
     let values = |factor: f64| {

@@ -26,11 +26,11 @@ pub struct Scales {
 type Number = fn(&Statistics) -> Option<f64>;
 /// Columns of the surface.
 const COLUMNS: [(&str, Number); 5] = [
-    ("alpha", |s| Some(s.alpha)),
-    ("asperity_radius_m", |s| s.asperity_radius),
-    ("asperity_density_per_m2", |s| s.asperity_density),
-    ("asperity_height_std_m", |s| s.asperity_height_std),
-    ("rms_gradient", |s| Some((2.0 * s.m2).sqrt())),
+    ("alpha", |s| Some(s.moments.profile.bandwidth())),
+    ("asperity_radius_m", |s| Some(s.surface().ok()?.asperity_radius)),
+    ("asperity_density_per_m2", |s| Some(s.surface().ok()?.asperity_density)),
+    ("asperity_height_std_m", |s| Some(s.surface().ok()?.asperity_height_std)),
+    ("rms_gradient", |s| Some((2.0 * s.moments.profile.m2).sqrt())),
 ];
 const CUTOFF: &str = "cutoff_m";
 

@@ -220,7 +220,7 @@ impl Engine {
 
 /// The error of an answer, with the reasons why its sheet has no values.
 pub(crate) fn without(sheet: &Sheet, error: AnswerError) -> PyErr {
-    let missing = sheet.findings.iter().filter(|one| one.code == "no-value");
+    let missing = sheet.findings.iter().filter(|one| one.code.name() == "no-value");
     let reasons = missing.map(ToString::to_string).collect::<Vec<_>>();
     value_error([error.to_string()].into_iter().chain(reasons).collect::<Vec<_>>().join(": "))
 }

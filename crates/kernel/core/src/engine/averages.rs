@@ -5,9 +5,8 @@ use std::sync::Arc;
 
 use asperity_quadrature::{Moments, QuadratureError};
 
-use crate::engine::inverse::above::{HalvedForce, Halves};
 use crate::engine::inverse::force_at::{Falls, ForceAt};
-use crate::engine::inverse::{CarriedLoad, ForceCurve, check_load};
+use crate::engine::inverse::{CarriedLoad, ForceCurve, Halves, check_load};
 use crate::engine::laws::Laws;
 use crate::error::integral_failed;
 use crate::scene::place::{HIGHEST, LOWEST, SeparationInSigma};
@@ -190,9 +189,7 @@ impl<'s, A: Averages<'s>> ForceCurve for Force<'_, A> {
     fn settle(&mut self, s: f64) -> Result<bool, ContactError> {
         self.0.settle(Quantity::Force, (s, &s.into()))
     }
-}
 
-impl<'s, A: Averages<'s>> HalvedForce for Force<'_, A> {
     fn halves(&mut self, s: f64) -> Result<Option<Halves>, ContactError> {
         self.0.halves(s)
     }

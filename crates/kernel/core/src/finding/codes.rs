@@ -114,12 +114,6 @@ impl Serialize for Code {
     }
 }
 
-impl PartialEq<&str> for Code {
-    fn eq(&self, name: &&str) -> bool {
-        self.name() == *name
-    }
-}
-
 // A line a code: its name, what it means, when it is harmless, what to do.
 codes! {
     AboveHardness "above-hardness" "The mean pressure on the real area exceeds 1.5 times the hardness, by a model that does not limit the pressure." "Never: the contacts would yield, and the real area is larger." "Use a model of yielding asperities." { of_model: true };
@@ -184,7 +178,7 @@ codes! {
     Sticks "sticks" "The model ignores `work_of_adhesion`, but `adhesion_parameter` is below 10, and adhesion matters." "Never: adhesion changes force and area." "Use a model with adhesion." { of_model: true };
     SummitsFollowSampling "summits-follow-sampling" "The summit density is more than 2 times that at half the resolution: radius and density depend on the pixel size." "Never for models of asperities." "Smooth the scan with `smooth`, or use a pixel size suited to the contact." { of_asperities: true };
     Tabor "tabor" "The Tabor parameter is above 0.1 for the limit of small, hard asperities or below 5 for that of large, soft ones, and `adhesion_parameter` is below 10." "Between 0.1 and 5, if the model serves as one of two bounds." "Use the other limit, or both as bounds." { of_model: true };
-    TakenAt "taken-at" "Numbers of the scene are known within ranges, and the answer is calculated at one point of them." "If the ends make no difference to the answer." "`--at lower` and `--at upper` calculate at the ends; `curve`, `check` and `recommend` answer with ranges.";
+    TakenAt "taken-at" "Numbers of the scene are known within ranges, and the answer is calculated at one point of them." "If the ends make no difference to the answer." "`--at lower` and `--at upper` calculate at the ends; `curve`, `check` and `answer` give ranges.";
     UndeclaredKink "undeclared-kink" "In the checks of a model's laws, a part of a law has a kink that is not declared." "For the results, which remain correct but take longer." "Declare the kink.";
     Underflow "underflow" "A quantity is too small for f64 and reads 0: the surfaces hardly touch." "If 0 is accurate enough." "Use the logarithm in the message, or the quantity `ln-force` or `ln-area`.";
     Undetermined "undetermined" "The data do not determine a parameter of a fit, as where only a combination of several has an effect." "If the parameter is not needed." "Fix one of the parameters, or measure another quantity.";

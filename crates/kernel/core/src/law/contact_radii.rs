@@ -13,8 +13,11 @@
 //! Each contact constricts the flow alone: the constriction factor is 1.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
-use crate::{Body, ContactError, Formula, Interface, Law, Power, Quantity};
+use asperity_quadrature::{QuadratureError, Sampler};
+
+use crate::{Body, ContactError, Formula, FunctionKey, Interface, Law, Part, Power, Quantity};
 
 /// The factor of S in a stiffness or a conductance, 2 E, 8 G, 2 k or 2/ρ; `None` for another
 /// quantity.
@@ -49,20 +52,61 @@ pub(crate) fn refused(model: &str, reason: &str) -> ContactError {
 
 /// The law a(w) of the contact radius, from the area law.
 pub(crate) fn law(model: &str, area: &Law) -> Result<Law, ContactError> {
-    // The conversion as a function refuses overlaps.
-    let unit = (area.value_unit / PI).sqrt();
-    let overlap = "these need a model without overlapping parts of the area law";
-    let mut radii = area
-        .map("radius of a circle", unit, |area| (area / PI).sqrt())
-        .ok_or_else(|| refused(model, overlap))?;
-    for (radius, area) in radii.parts.iter_mut().zip(&area.parts) {
-        // The root of one power is a power.
-        if let Formula::Powers(powers) = &area.form
-            && let [Power { coefficient, origin, exponent }] = powers[..]
-            && coefficient >= 0.0
-        {
-            radius.form = [Power::from_origin(coefficient.sqrt(), origin, 0.5 * exponent)].into();
-        }
+    let mut ends: Vec<(f64, f64)> =
+        area.parts.iter().map(|part| (part.range.start, part.range.end)).collect();
+    ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let apart = ends.windows(2).all(|pair| pair[0].1 <= pair[1].0);
+    if !apart || area.is_signed() {
+        let overlap = "these need a model without overlapping parts of the area law";
+        return Err(refused(model, overlap));
     }
-    Ok(radii)
+    let [area_unit, unit] = [area.value_unit, (area.value_unit / PI).sqrt()];
+    let part = |part: &Part| Part { form: radius(&part.form, area_unit, unit), ..part.clone() };
+    Ok(Law {
+        value_unit: unit,
+        parts: area.parts.iter().map(part).collect(),
+        shares: None,
+        ..*area
+    })
+}
+
+/// The radius of circles of these areas, in these units.
+fn radius(area: &Formula, area_unit: f64, unit: f64) -> Formula {
+    // The root of one power is a power.
+    if let Formula::Powers(powers) = area
+        && let [Power { coefficient, origin, exponent }] = powers[..]
+        && coefficient >= 0.0
+    {
+        return [Power::from_origin(coefficient.sqrt(), origin, 0.5 * exponent)].into();
+    }
+    let of = match area {
+        Formula::Powers(powers) => Some(format!("{powers:?}")),
+        // A function without a key is never shared.
+        Formula::Function { key, .. } => key.as_ref().map(|key| format!("{key:?}")),
+    };
+    let form = Formula::sampled(Arc::new(Radius { area: area.clone(), area_unit, unit }));
+    let name = "radius of a circle".into();
+    match of {
+        Some(of) => form.with_key(FunctionKey { name, of, parameters: vec![area_unit, unit] }),
+        None => form,
+    }
+}
+
+/// The radius of a circle by the formula of its area.
+struct Radius {
+    area: Formula,
+    area_unit: f64,
+    unit: f64,
+}
+
+impl Sampler for Radius {
+    fn sample(&self, x: &[f64], out: &mut [f64]) -> Result<(), QuadratureError> {
+        self.area.sample(x, out)?;
+        out.iter_mut().for_each(|q| *q = (self.area_unit * *q / PI).sqrt() / self.unit);
+        Ok(())
+    }
+
+    fn relative_error(&self, x: &[f64]) -> f64 {
+        0.5 * self.area.relative_error(x)
+    }
 }

@@ -2,7 +2,6 @@
 
 pub(crate) mod contact_radii;
 pub(crate) mod formula;
-mod mapped;
 pub(crate) mod shape;
 pub mod testkit;
 
@@ -14,8 +13,7 @@ use std::sync::Arc;
 use asperity_quadrature::{Density, Piece, QuadratureError, Sampler};
 use serde::Serialize;
 
-use crate::law::formula::{Formula, FunctionKey, Power};
-use crate::law::mapped::Mapped;
+use crate::law::formula::{Formula, Power};
 
 /// The kind of deformation that a part describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -138,43 +136,6 @@ impl Law {
     pub(crate) fn counting(interference_unit: f64) -> Self {
         let one = [Power::new(1.0, 0.0)];
         Self::in_units(interference_unit, 1.0).elastic(0.0..f64::INFINITY, one)
-    }
-
-    /// The law f(q) with `f` in SI units, in units of `value_unit`: for example the radius √(A/π)
-    /// of a contact from its area. `name` describes it in plans.
-    ///
-    /// `None` if parts overlap or are subtracted: no single contact has the value then.
-    #[must_use]
-    pub fn map(
-        &self,
-        name: &'static str,
-        value_unit: f64,
-        f: impl Fn(f64) -> f64 + Clone + Send + Sync + 'static,
-    ) -> Option<Self> {
-        let mut ends: Vec<(f64, f64)> =
-            self.parts.iter().map(|p| (p.range.start, p.range.end)).collect();
-        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let apart = ends.windows(2).all(|pair| pair[0].1 <= pair[1].0);
-        if !apart || self.parts.iter().any(|part| part.sign < 0.0) {
-            return None;
-        }
-        let from = self.value_unit;
-        let mapped = |part: &Part| {
-            let (f, factor) = (f.clone(), from * part.sign);
-            let f = move |q: f64| f(factor * q) / value_unit;
-            let form = Formula::sampled(Arc::new(Mapped { inner: part.form.clone(), f }));
-            // A function without a key is never shared.
-            let of = match &part.form {
-                Formula::Powers(powers) => Some(format!("{powers:?}")),
-                Formula::Function { key, .. } => key.as_ref().map(|key| format!("{key:?}")),
-            };
-            let parameters = vec![from * part.sign, value_unit];
-            let key = of.map(|of| FunctionKey { name: name.into(), of, parameters });
-            let form = key.into_iter().fold(form, Formula::with_key);
-            Part { sign: 1.0, form, ..part.clone() }
-        };
-        let parts = self.parts.iter().map(mapped).collect();
-        Some(Self { value_unit, parts, shares: None, ..*self })
     }
 
     fn with(mut self, regime: Regime, range: Range<f64>, form: impl Into<Formula>) -> Self {

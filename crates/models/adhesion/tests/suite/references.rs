@@ -187,7 +187,9 @@ fn tensions_are_told_and_what_is_missing_is_named() {
         let answer = model(id).solve(&scene(3.0), &asked).unwrap();
         let [warning] = &answer.warnings[..] else { panic!("{:?}", answer.warnings) };
         assert!(
-            warning.code == "adhesion" && warning.count == 2 && warning.at == Some(At::from(1.0)),
+            warning.code.name() == "adhesion"
+                && warning.count == 2
+                && warning.at == Some(At::from(1.0)),
             "{warning:?}"
         );
         let mut bare = scene(0.0);

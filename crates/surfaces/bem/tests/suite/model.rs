@@ -86,7 +86,11 @@ fn steps_at_the_edges_stay_where_the_map_is_declared_periodic() {
         // What is declared has no second warning.
         let solved = bem.elements(&scene().interface).unwrap().tolerance(0.1).unwrap();
         let solved = solved.solve(LoadCase::MeanPressure(UNIT)).unwrap();
-        assert!(solved.notes.iter().all(|note| note.code != "open-seam"), "{:?}", solved.notes);
+        assert!(
+            solved.notes.iter().all(|note| note.code.name() != "open-seam"),
+            "{:?}",
+            solved.notes
+        );
     }
     let whole = Bem::new(rough(64, 1), options(None, true));
     assert_eq!((whole.continuation(), whole.note()), (Continuation::Periodic, None));
@@ -123,7 +127,7 @@ fn a_body_that_fills_the_map_is_free_by_default() {
     assert_eq!(usual.continuation(), Continuation::Free);
     assert_eq!(usual.map(), &map);
     let note = usual.note().unwrap();
-    assert!(note.code == "single-body" && note.value > 30.0, "{note}");
+    assert!(note.code.name() == "single-body" && note.value > 30.0, "{note}");
     let cylinder = (0..65 * 65).map(|k| -((k % 65) as f64 - 32.0).powi(2)).collect();
     let cylinder = asperity_bem::HeightMap::new(cylinder, [65, 65], [1e-6; 2]).unwrap();
     assert_eq!(Bem::new(cylinder, options(None, true)).continuation(), Continuation::Free);

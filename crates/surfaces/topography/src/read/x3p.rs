@@ -12,7 +12,7 @@ use super::scan::{DEFLATE_RATIO, Scan, mirror_columns, mirror_rows, points};
 use super::x3p_xml::{Data, Description};
 
 use crate::error::{damaged, excerpt, refuse};
-use crate::{LengthUnit, TopographyError};
+use crate::{Distance, LengthUnit, TopographyError};
 
 pub(super) const MAGIC: &[u8] = b"PK\x03\x04";
 /// The largest size of `main.xml` \[bytes\].
@@ -83,10 +83,7 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
         let points = numbers.chunks(2).filter(|point| point.iter().all(|number| !number.is_nan()));
         let (places, heights) = points.map(|point| (point[0], point[1])).unzip();
         let (scan, step) = profile(places, heights)?;
-        return Ok(Scan {
-            notes: scan.notes,
-            ..Scan::new(scan.heights, scan.columns, unit, [step; 2])
-        });
+        return Ok(Scan { unit, pixel_size: Some([Distance::metre(step); 2]), ..scan });
     };
     let columns = columns as usize;
     if dx < 0.0 {

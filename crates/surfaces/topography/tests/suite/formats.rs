@@ -53,7 +53,7 @@ fn profiles_are_read() {
     assert!((uneven.pixel_size()[0] / 2e-6 - 1.0).abs() < 1e-12);
     assert!((uneven.heights()[1] / (7.0 / 3.0 * 1e-6) - 1.0).abs() < 1e-12);
     assert!((uneven.heights()[0] / 1e-6 - 1.0).abs() < 1e-12);
-    assert_eq!(uneven.notes()[0].code, "resampled");
+    assert_eq!(uneven.notes()[0].code.name(), "resampled");
 }
 
 #[test]

@@ -115,7 +115,7 @@ fn infinite_heights_and_lists_of_x3p_are_read() {
     let surface = read_bytes("a.x3p", &x3p_of(&profile), &channel_free()).unwrap();
     assert!((surface.pixel_size()[0] / 2e-6 - 1.0).abs() < 1e-12);
     assert!((surface.heights()[1] / 4e-6 - 1.0).abs() < 1e-12);
-    assert_eq!(surface.notes()[0].code, "resampled");
+    assert_eq!(surface.notes()[0].code.name(), "resampled");
     // Points of a regular grid, in any order.
     let points = [3usize, 0, 2, 1].map(|i| [(i % 2) as f64, (i / 2) as f64, i as f64 + 1.0]);
     let data = points.iter().flatten().flat_map(|number| metres(*number)).collect();

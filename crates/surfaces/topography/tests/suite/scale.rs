@@ -56,13 +56,19 @@ fn statistics_and_summits_scale_with_the_heights() {
             (found.sq / scale, wanted.sq),
             (found.ssk, wanted.ssk),
             (found.sku, wanted.sku),
-            (found.m0 / square, wanted.m0),
-            (found.m2 / square, wanted.m2),
-            (found.m4 / square, wanted.m4),
-            (found.alpha, wanted.alpha),
-            (found.asperity_radius.unwrap() * scale, wanted.asperity_radius.unwrap()),
-            (found.asperity_density.unwrap(), wanted.asperity_density.unwrap()),
-            (found.asperity_height_std.unwrap() / scale, wanted.asperity_height_std.unwrap()),
+            (found.moments.profile.m0 / square, wanted.moments.profile.m0),
+            (found.moments.profile.m2 / square, wanted.moments.profile.m2),
+            (found.moments.profile.m4 / square, wanted.moments.profile.m4),
+            (found.moments.profile.bandwidth(), wanted.moments.profile.bandwidth()),
+            (
+                found.surface().unwrap().asperity_radius * scale,
+                wanted.surface().unwrap().asperity_radius,
+            ),
+            (found.surface().unwrap().asperity_density, wanted.surface().unwrap().asperity_density),
+            (
+                found.surface().unwrap().asperity_height_std / scale,
+                wanted.surface().unwrap().asperity_height_std,
+            ),
         ]
         .into_iter()
         .enumerate()

@@ -280,7 +280,12 @@ fn a_factor_of_a_header_is_noted() {
     let notes = |line: &str, of: f64| -> Vec<f64> {
         let text = format!("{gwy}# {line}\n{}", TAB.matrix(|z| of * z));
         let notes = read_bytes("a.txt", text.as_bytes(), &options("unit=nm")).unwrap();
-        notes.notes().iter().filter(|note| note.code == "factor").map(|note| note.value).collect()
+        notes
+            .notes()
+            .iter()
+            .filter(|note| note.code.name() == "factor")
+            .map(|note| note.value)
+            .collect()
     };
     assert_eq!(notes("Multiplier: 0.5", 2.0), [0.5]);
     assert!(notes("Multiplier: 1", 1.0).is_empty() && notes("Unit: nm", 1.0).is_empty());

@@ -8,9 +8,6 @@
 //! where the second factor, a Laplace transform, falls and has a convex logarithm: (ln F)'' ≥ -1.
 //! Chords of ln F + s²/2 bound F from above, and tangents from below.
 
-use asperity_quadrature::Moments;
-
-use crate::ContactError;
 use crate::engine::inverse::{CarriedLoad, ForceCurve};
 use crate::scene::place::SeparationInSigma;
 
@@ -25,16 +22,6 @@ const STEP: f64 = 1.0;
 const LEAST: f64 = 1.0 / 32.0;
 /// Pieces of an interval, each with bounds of its own.
 const PIECES: u32 = 32;
-
-/// The integrals of the added and of the subtracted parts of a law, both positive.
-pub(crate) type Halves = [Moments; 2];
-
-/// A force whose halves can be integrated by themselves.
-pub(crate) trait HalvedForce: ForceCurve {
-    /// The halves at s, at least to [`ROUGH`]; `None` if a part changes its sign, or if they cannot
-    /// be told apart.
-    fn halves(&mut self, s: f64) -> Result<Option<Halves>, ContactError>;
-}
 
 /// ln of an integral over the load, and the bound of its error; its derivative, with its own.
 #[derive(Debug, Clone, Copy)]
@@ -58,7 +45,7 @@ impl CarriedLoad {
     /// if the bounds do not show which it is.
     pub(crate) fn largest_from(
         &self,
-        force: &mut impl HalvedForce,
+        force: &mut impl ForceCurve,
         mut found: SeparationInSigma,
     ) -> Option<SeparationInSigma> {
         let mut left = MOST;
@@ -90,7 +77,7 @@ impl CarriedLoad {
         None
     }
 
-    fn node(&self, force: &mut impl HalvedForce, s: f64) -> Option<Node> {
+    fn node(&self, force: &mut impl ForceCurve, s: f64) -> Option<Node> {
         let halves = force.halves(s).ok()??;
         let [added, subtracted] = halves.map(|m| {
             let (above, fall) = self.measure(&m);

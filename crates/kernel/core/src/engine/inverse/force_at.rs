@@ -9,7 +9,7 @@ use crate::engine::inverse::interval::{Level, Sample};
 use crate::engine::inverse::variation::Variation;
 use crate::error::integral_failed;
 use crate::scene::place::LOWEST;
-use crate::{ContactError, HeightDistribution, Law, OtherHeights, Quantity, Scene, Tolerance};
+use crate::{ContactError, HeightDistribution, Law, Quantity, Scene, Tolerance};
 
 /// Tolerance of the variation; bounds include its error.
 const ENOUGH: f64 = 1e-8;
@@ -162,19 +162,21 @@ impl ForceAt<'_> {
 pub(crate) fn range(law: &Law, scene: &Scene, above: f64) -> (f64, f64) {
     let scale = law.interference_unit / scene.surface.asperity_height_std;
     let (least, most) = ((1e-3 / scale).min(1e-3), -2.0 * LOWEST / scale);
-    let met = (highest(scene) - above.min(0.0)) / scale - law.onset;
+    let met = (ends(scene)[1] - above.min(0.0)) / scale - law.onset;
     (least, most.min(met.max(2.0 * least)))
 }
 
 /// Beyond so many σ_z, heights with the tail of an exponential add less than [`ENOUGH`].
 const HEAVIEST: f64 = 24.0;
 
-/// The height \[σ_z\] beyond which, seen from their mean, nothing counts.
-fn highest(scene: &Scene) -> f64 {
-    let end = |(heights, unit): (&Arc<OtherHeights>, f64)| heights.heights().support().1 / unit;
-    let sampled = scene.heights.sampled(scene.surface.asperity_height_std);
-    let gaussian = matches!(scene.heights, HeightDistribution::Gaussian);
-    sampled.map_or(if gaussian { GAUSSIAN } else { f64::INFINITY }, end)
+/// The heights \[σ_z\] below and above which nothing counts.
+fn ends(scene: &Scene) -> [f64; 2] {
+    let std = scene.surface.asperity_height_std;
+    let (low, high) = scene.heights.support(std);
+    match scene.heights {
+        HeightDistribution::Gaussian => [-GAUSSIAN, GAUSSIAN],
+        _ => [low / std, high / std],
+    }
 }
 
 /// exp(-14²/2) is 3e-43, far below the last digit of what lies nearer.
@@ -190,19 +192,18 @@ struct Marks {
 
 impl Marks {
     fn new(scene: &Scene) -> Self {
-        let high = highest(scene);
+        let [low, high] = ends(scene);
         let Some((other, unit)) = scene.heights.sampled(scene.surface.asperity_height_std) else {
-            let gaussian = matches!(scene.heights, HeightDistribution::Gaussian);
-            return Self { low: if gaussian { -GAUSSIAN } else { 0.0 }, high, kinks: vec![0.0] };
+            return Self { low, high, kinks: vec![0.0] };
         };
-        let (low, end) = other.heights().support();
+        let (first, last) = other.heights().support();
         // Those that were declared, and those that were found.
         let weight = other.weight().ok();
         let breaks = weight.as_ref().map_or(other.heights().breaks(), |weight| weight.breaks());
         let breaks = if breaks.len() > BREAKS { &[] } else { breaks };
-        let all = [0.0, low, end].into_iter().chain(breaks.iter().copied());
+        let all = [0.0, first, last].into_iter().chain(breaks.iter().copied());
         let kinks = all.filter(|z| z.is_finite()).map(|z| z / unit).collect();
-        Self { low: low / unit, high, kinks }
+        Self { low, high, kinks }
     }
 }
 
@@ -259,13 +260,9 @@ impl CachedFalls {
 fn same_heights(a: &Scene, b: &Scene) -> bool {
     let std = |scene: &Scene| scene.surface.asperity_height_std.to_bits();
     std(a) == std(b)
-        && match (&a.heights, &b.heights) {
-            (HeightDistribution::Gaussian, HeightDistribution::Gaussian)
-            | (HeightDistribution::Exponential, HeightDistribution::Exponential) => true,
-            (HeightDistribution::Weibull(a), HeightDistribution::Weibull(b)) => {
-                a.shape().to_bits() == b.shape().to_bits()
-            }
-            (HeightDistribution::Other(a), HeightDistribution::Other(b)) => Arc::ptr_eq(a, b),
+        && match (a.heights.sampled(1.0), b.heights.sampled(1.0)) {
+            (Some((a, _)), Some((b, _))) => Arc::ptr_eq(a, b),
+            (None, None) => a.heights.name() == b.heights.name(),
             _ => false,
         }
 }

@@ -18,6 +18,9 @@ mod variation;
 /// Below this all asperities are in contact.
 pub(crate) const ALL_TOUCH: f64 = -64.0;
 
+/// The integrals of the added and of the subtracted parts of a law, both positive.
+pub(crate) type Halves = [Moments; 2];
+
 /// The integral of a force that falls with the separation.
 pub(crate) trait ForceCurve {
     /// The integral and its slope.
@@ -26,6 +29,12 @@ pub(crate) trait ForceCurve {
     /// Makes finer integrals near s; returns whether there were any.
     fn settle(&mut self, _s: f64) -> Result<bool, ContactError> {
         Ok(false)
+    }
+
+    /// The halves at s, to a thousandth at least; `None` if a part changes its sign, or if they
+    /// cannot be told apart.
+    fn halves(&mut self, _s: f64) -> Result<Option<Halves>, ContactError> {
+        Ok(None)
     }
 }
 
