@@ -4,7 +4,7 @@
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     Advice, At, Check, Code, Contact, ContactError, ContactModel, DerivedNumber, Finding, Findings,
-    HeightDistribution, Plausible, ProfileMoments, Quantity, Request, outside, unusual,
+    HeightDistribution, Plausible, ProfileMoments, Quantity, Request, Severity, outside, unusual,
 };
 use asperity_curved::Shape;
 use asperity_topography::Statistics;
@@ -158,10 +158,12 @@ impl SceneFile {
         kept
     }
 
-    /// The finding without a likely unit if the number was given with its unit.
+    /// The finding without a likely unit if the number was given with its unit; another number that
+    /// has one is a warning.
     fn without_stated_unit(&self, found: Finding) -> Option<Finding> {
         if !self.origin.as_ref().is_some_and(|origin| origin.is_stated(&found.field)) {
-            return Some(found);
+            let is_guess = found.likely_unit.is_some() && found.severity == Severity::Note;
+            return Some(if is_guess { found.severity(Severity::Warning) } else { found });
         }
         let found = found.with_stated_unit()?;
         let is_implausible = found.is_implausible() && found.excess() > 10.0;

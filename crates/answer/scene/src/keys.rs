@@ -296,6 +296,13 @@ impl Key {
         named().find(|key| key.section == section).or_else(|| named().next())
     }
 
+    /// Whether the number at a path may be known within a range.
+    pub(crate) fn may_have_range(path: &str) -> bool {
+        let (section, name) = section_and_name(path);
+        let is_listed = |key: &Self| matches!(key.subject, Subject::Scan | Subject::Options);
+        name == "skewness" || Self::find(section, name).is_some_and(|key| !is_listed(key))
+    }
+
     /// The units of its number.
     pub(crate) fn units(&self) -> Option<&'static Units> {
         units().iter().find(|units| units.si == self.unit)

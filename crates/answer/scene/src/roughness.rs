@@ -52,6 +52,23 @@ impl Way {
         Self::all().find(|way| *way.keys() == *keys)
     }
 
+    /// The error of a ratio of the surface as that of the keys from which it follows.
+    fn in_own_keys(self, error: ContactError) -> ContactError {
+        let field = match self {
+            Self::Iso25178 => "sq times spd over spc",
+            Self::MeanSlope => {
+                "12 sqrt(3) times asperity_density times (surface_height_std/mean_slope)^2"
+            }
+            _ => return error,
+        };
+        match error {
+            ContactError::OutOfRange { value, required, .. } => {
+                ContactError::OutOfRange { field, value, required }
+            }
+            other => other,
+        }
+    }
+
     /// Whether the numbers are those of the surface, from which its asperities follow, not the
     /// asperities themselves.
     #[must_use]
@@ -110,7 +127,8 @@ impl Roughness {
             Way::MeanSlope => Surface::from_mean_slope(a, b, c),
             Way::Moments => Surface::from_moments(&ProfileMoments { m0: a, m2: b, m4: c }),
             Way::Iso25178 => Surface::from_surface_std(1.0 / c, b, a),
-        }?;
+        };
+        let surface = surface.map_err(|error| self.way.in_own_keys(error))?;
         surface.check()?;
         Ok(surface)
     }

@@ -95,7 +95,8 @@ impl<'d> Named<'d> {
         };
         let at = match error {
             TopographyError::OutOfRange { field, value, required } => {
-                return SceneError::value(option(field), value, &required);
+                let odd = self.document.likely_unit(self.section, field, value);
+                return odd.unwrap_or_else(|| SceneError::value(option(field), value, &required));
             }
             TopographyError::TooManyMissing { .. } => option("max_missing"),
             TopographyError::Undecided { option: name, .. } => option(name),

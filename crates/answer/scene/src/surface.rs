@@ -1,6 +1,6 @@
 //! `[surface]`: the asperities, in exactly one way, of one rough surface or of two.
 
-use asperity::{Code, Finding, nearest_name, unusual};
+use asperity::{Code, Finding, nearest_name};
 use toml::Value;
 
 use crate::document::Document;
@@ -155,11 +155,10 @@ pub(crate) fn refused(
 ) -> SceneError {
     let numbers = spec.one(&section).map_or(vec![], SurfaceSpec::numbers);
     let is_positive = numbers.iter().all(|(_, value)| *value > 0.0);
-    let odd = numbers.into_iter().filter(|_| is_positive).find_map(|(key, value)| {
-        let path = joined(&section, key);
-        let unit = unusual(key, value)?.likely_unit.filter(|_| !document.origin.is_stated(&path));
-        Some(SceneError::refused(document.place(&path), unit?))
-    });
+    let odd = numbers
+        .into_iter()
+        .filter(|_| is_positive)
+        .find_map(|(key, value)| document.likely_unit(&section, key, value));
     odd.unwrap_or_else(|| document.refused(&section)(source))
 }
 
