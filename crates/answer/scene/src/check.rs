@@ -10,7 +10,8 @@ use asperity_curved::Shape;
 use asperity_topography::Statistics;
 
 use crate::evidence::KURTOSIS;
-use crate::keys::{CURVATURE, Field, GAP, INTERFACE, OF_PAIR, SEAL};
+use crate::input::OF_BOTH;
+use crate::keys::{CURVATURE, Field, GAP, INTERFACE, SEAL};
 use crate::measured::Measured;
 use crate::ranges::Points;
 use crate::scene_file::SceneFile;
@@ -31,7 +32,7 @@ const ASPERITY_FIELDS: [&str; 6] = [
 
 /// Whether a field of the interface follows from the bodies, whose findings are of these.
 fn of_bodies(field: &str) -> bool {
-    INTERFACE.iter().any(|known| known.name == field) && !OF_PAIR.contains(&field)
+    Field::of(INTERFACE, field).is_some() && Field::of(OF_BOTH, field).is_none()
 }
 
 /// The unusual numbers of a section; 0 is a vacuum, or none, and a hollow radius is negative.

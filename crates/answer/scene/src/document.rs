@@ -280,8 +280,7 @@ impl<'a> Document<'a> {
     }
 
     pub(crate) fn conflict(&self, one: &str, other: &str, needed: &str) -> SceneError {
-        let (at, other) = (self.place(one), self.place(other));
-        SceneError::Conflict { at, other, needed: needed.into() }
+        SceneError::conflict(self.place(one), &self.place(other), needed)
     }
 }
 
