@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use asperity::{ContactError, unusual, written};
+use asperity::{ContactError, Finding, written};
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Table, Value};
@@ -262,16 +262,12 @@ impl<'a> Document<'a> {
         move |source| SceneError::from_contact(source, |field| self.place(&joined(section, field)))
     }
 
-    /// The error of a refused number that was given without its unit, if another unit than that of
-    /// its key makes it usual.
-    pub(crate) fn likely_unit(
-        &self,
-        section: &str,
-        key: &'static str,
-        value: f64,
-    ) -> Option<SceneError> {
-        let path = joined(section, key);
-        let unit = unusual(key, value)?.likely_unit.filter(|_| !self.origin.is_stated(&path))?;
+    /// The error of an odd number of a section that was given without its unit, if another unit
+    /// than that of its key makes it usual.
+    pub(crate) fn likely_unit(&self, section: &str, odd: Option<Finding>) -> Option<SceneError> {
+        let Finding { field, likely_unit, .. } = odd?;
+        let path = joined(section, &field);
+        let unit = likely_unit.filter(|_| !self.origin.is_stated(&path))?;
         Some(SceneError::refused(self.place(&path), unit))
     }
 

@@ -1,6 +1,6 @@
 //! `[surface]`: the asperities, in exactly one way, of one rough surface or of two.
 
-use asperity::{Code, Finding, nearest_name};
+use asperity::{Code, Finding, nearest_name, unusual};
 use toml::Value;
 
 use crate::document::Document;
@@ -150,10 +150,8 @@ pub(crate) fn refused(
 ) -> SceneError {
     let numbers = spec.one(&section).map_or(vec![], SurfaceSpec::numbers);
     let is_positive = numbers.iter().all(|(_, value)| *value > 0.0);
-    let odd = numbers
-        .into_iter()
-        .filter(|_| is_positive)
-        .find_map(|(key, value)| document.likely_unit(&section, key, value));
+    let mut odd = numbers.into_iter().filter(|_| is_positive);
+    let odd = odd.find_map(|(key, value)| document.likely_unit(&section, unusual(key, value)));
     odd.unwrap_or_else(|| document.refused(&section)(source))
 }
 

@@ -26,7 +26,7 @@ const RADII: [&str; 7] = [
 ];
 
 /// From elastomers to diamond; asperities from atomic corrugation to the stones of asphalt.
-const USUAL: [Usual; 32] = [
+const USUAL: [Usual; 33] = [
     (&["youngs_modulus", "equivalent_modulus"], [1e6, 2e12], 1e11, "Pa"),
     (&["equivalent_shear_modulus"], [3e5, 1e12], 3e10, "Pa"),
     (&["hardness"], [1e5, 1.5e11], 3e9, "Pa"),
@@ -56,7 +56,8 @@ const USUAL: [Usual; 32] = [
     (&["m4"], [100.0, 1e17], 5e4, "1/m2"),
     (&["mean_slope", "rdq", "rms_gradient", "height_std_over_radius"], [0.0, 1.0], 0.1, ""),
     // Of profiles and of random surfaces, from atoms to waviness.
-    (&["rsm", "wavelength"], [1e-10, 0.05], 1e-4, "m"),
+    (&["rsm"], [1e-10, 0.05], 1e-4, "m"),
+    (&["wavelength"], [1e-10, 0.05], 5e-6, "m"),
     // From scans by atomic force to profiles of waviness.
     (&["lambda_c", "filter"], [1e-9, 0.08], 8e-4, "m"),
     (&["lambda_s", "smooth"], [1e-10, 0.01], 2.5e-6, "m"),
