@@ -79,8 +79,8 @@ impl Provenance {
 pub enum SceneError {
     /// A file that cannot be read or written, a text that is not TOML or CSV, a surface without
     /// asperities, a scene without a model; a key that its section does not have or needs, or a
-    /// value of the wrong kind, out of its range, not one of the allowed names, in another notation,
-    /// or beside a field that excludes it.
+    /// value of the wrong kind, out of its range, not one of the allowed names, in another
+    /// notation, or beside a field that excludes it.
     #[error("{at}{link}{reason}")]
     Refused {
         /// The field, a missing one at the line of its section, or the field that names the file.

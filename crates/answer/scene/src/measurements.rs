@@ -8,9 +8,10 @@ use crate::error::{Place, SceneError};
 use crate::quantity::notation_hint;
 use crate::text_file::{SAVE_AS_CSV, read_text, shorten};
 
-/// The columns of a csv of numbers with a header, whose names may have units behind them (`Load [kN]`);
-/// cells may be empty, and lines that begin with # are skipped. Where semicolons or tabs separate the cells of the header, numbers may have decimal
-/// commas. The columns `model` and `separation_over_sigma` of `asperity curve` are left out.
+/// The columns of a csv of numbers with a header, whose names may have units behind them
+/// (`Load [kN]`); cells may be empty, and lines that begin with # are skipped. Where semicolons or
+/// tabs separate the cells of the header, numbers may have decimal commas. The columns `model` and
+/// `separation_over_sigma` of `asperity curve` are left out.
 ///
 /// # Errors
 /// [`SceneError`] with the file, the line, the column, the value found and the value needed.
