@@ -152,7 +152,8 @@ fn moments_that_no_surface_has_are_refused() {
     let interface = named("mild").interface;
     // β = η R σ just below 0.02493, and inputs of the wrong sign.
     let beta = 1e8 * 1e-4 * 2.49e-6;
-    refused(Surface::from_surface_std(1e-4, 1e8, 2.49e-6), "roughness_parameter", beta);
+    let product = "asperity_density times asperity_radius times surface_height_std";
+    refused(Surface::from_surface_std(1e-4, 1e8, 2.49e-6), product, beta);
     assert!(Surface::from_surface_std(1e-4, 1e8, 2.494e-6).is_ok());
     refused(Surface::from_surface_std(1e-4, 1e8, -1.0), "surface_height_std", -1.0);
     refused(Surface::from_plasticity_index(0.0, 0.04, 1e-6, &interface), "plasticity_index", 0.0);

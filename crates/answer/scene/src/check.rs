@@ -4,13 +4,14 @@
 use asperity::joints::conductance::GapRoughness;
 use asperity::{
     Advice, At, Check, Code, Contact, ContactError, ContactModel, DerivedNumber, Finding, Findings,
-    HeightDistribution, Plausible, Quantity, Request, outside, unusual,
+    HeightDistribution, Plausible, Quantity, Request, Severity, outside, unusual,
 };
 use asperity_curved::Shape;
 use asperity_topography::Statistics;
 
 use crate::evidence::KURTOSIS;
-use crate::keys::{CURVATURE, Field, GAP, INTERFACE, OF_PAIR, SEAL};
+use crate::input::OF_BOTH;
+use crate::keys::{CURVATURE, Field, GAP, INTERFACE, SEAL};
 use crate::measured::Measured;
 use crate::ranges::Points;
 use crate::scene_file::SceneFile;
@@ -31,7 +32,7 @@ const ASPERITY_FIELDS: [&str; 6] = [
 
 /// Whether a field of the interface follows from the bodies, whose findings are of these.
 fn of_bodies(field: &str) -> bool {
-    INTERFACE.iter().any(|known| known.name == field) && !OF_PAIR.contains(&field)
+    Field::of(INTERFACE, field).is_some() && Field::of(OF_BOTH, field).is_none()
 }
 
 /// The unusual numbers of a section; 0 is a vacuum, or none, and a hollow radius is negative.
@@ -158,10 +159,12 @@ impl SceneFile {
         kept
     }
 
-    /// The finding without a likely unit if the number was given with its unit.
+    /// The finding without a likely unit if the number was given with its unit; another number that
+    /// has one is a warning.
     fn without_stated_unit(&self, found: Finding) -> Option<Finding> {
         if !self.origin.as_ref().is_some_and(|origin| origin.is_stated(&found.field)) {
-            return Some(found);
+            let is_guess = found.likely_unit.is_some() && found.severity == Severity::Note;
+            return Some(if is_guess { found.severity(Severity::Warning) } else { found });
         }
         let found = found.with_stated_unit()?;
         let is_implausible = found.is_implausible() && found.excess() > 10.0;

@@ -151,7 +151,8 @@ mod tests {
             assert!(place.contains("curvature"), "{text}: {place}");
         }
         let both = template().to_string() + "\n[curvature]\nradius = 0.01\n";
-        assert!(matches!(parse(&both, Path::new(".")), Err(SceneError::Conflict { .. })));
+        let refused = parse(&both, Path::new(".")).unwrap_err();
+        assert_eq!(refused.place().unwrap().field, "nominal_area");
     }
 
     #[test]

@@ -7,14 +7,14 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use asperity::ContactError;
+use asperity::{ContactError, Finding, written};
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 use toml::{Spanned, Table, Value};
 
 use crate::error::{Place, Provenance, SceneError};
-use crate::keys::{COUNTERFACE, Key, Subject, joined, keys_of, section_and_name};
-use crate::quantity::{in_si, without_unit};
+use crate::keys::{COUNTERFACE, Key, joined, keys_of, section_and_name};
+use crate::quantity::{ends_of_tolerance, in_si, without_unit};
 use crate::text_file::shorten;
 use crate::unknown::Unknown;
 
@@ -47,13 +47,6 @@ pub(crate) struct Document<'a> {
     /// Every key with the range of its value in the text, and the value, with numbers in SI units
     /// instead of those with units.
     values: BTreeMap<String, (Range<usize>, Value)>,
-}
-
-/// Whether the number of a key may be known within a range.
-fn may_have_range(path: &str) -> bool {
-    let (section, name) = section_and_name(path);
-    let is_listed = |key: &Key| matches!(key.subject, Subject::Scan | Subject::Options);
-    name == "skewness" || Key::find(section, name).is_some_and(|key| !is_listed(key))
 }
 
 impl<'a> Document<'a> {
@@ -94,6 +87,8 @@ impl<'a> Document<'a> {
             DeValue::String(text) => match Key::find(section, key).and_then(Key::units) {
                 Some(units) => {
                     let number = in_si(text, key, units).map_err(|hint| {
+                        let ends = || ends_of_tolerance(text);
+                        let hint = Key::may_have_range(path).then(ends).flatten().unwrap_or(hint);
                         let (at, found) = (self.place(path), format!("{:?}", shorten(text)));
                         SceneError::notation(at, &found, &hint)
                     })?;
@@ -133,14 +128,14 @@ impl<'a> Document<'a> {
         let number = |item: &Value| item.as_float().or_else(|| item.clone().try_into().ok());
         let numbers = items.iter().map(number).collect::<Option<Vec<f64>>>();
         let Some([one, other]) = numbers.as_deref() else { return Ok(None) };
-        if !may_have_range(path) {
+        if !Key::may_have_range(path) {
             return Ok(None);
         }
         let stated = [1, 2].map(|k| self.origin.is_stated(&format!("{path}[{k}]")));
         if let Some(bare) = without_unit([*one, *other], stated) {
             let at = self.place(&format!("{path}[{}]", bare + 1));
             let hint = "has no unit, and the other end has one: give both ends a unit";
-            return Err(SceneError::notation(at, &items[bare].to_string(), hint));
+            return Err(SceneError::notation(at, &written([*one, *other][bare]), hint));
         }
         // One that is no number stays, to be refused.
         let ends = if one <= other { [*one, *other] } else { [*other, *one] };
@@ -267,13 +262,21 @@ impl<'a> Document<'a> {
         move |source| SceneError::from_contact(source, |field| self.place(&joined(section, field)))
     }
 
+    /// The error of an odd number of a section that was given without its unit, if another unit
+    /// than that of its key makes it usual.
+    pub(crate) fn likely_unit(&self, section: &str, odd: Option<Finding>) -> Option<SceneError> {
+        let Finding { field, likely_unit, .. } = odd?;
+        let path = joined(section, &field);
+        let unit = likely_unit.filter(|_| !self.origin.is_stated(&path))?;
+        Some(SceneError::refused(self.place(&path), unit))
+    }
+
     pub(crate) fn missing(&self, path: &str, needed: impl AsRef<str>) -> SceneError {
         SceneError::missing(self.place(path), needed.as_ref())
     }
 
     pub(crate) fn conflict(&self, one: &str, other: &str, needed: &str) -> SceneError {
-        let (at, other) = (self.place(one), self.place(other));
-        SceneError::Conflict { at, other, needed: needed.into() }
+        SceneError::conflict(self.place(one), &self.place(other), needed)
     }
 }
 

@@ -79,27 +79,18 @@ impl Provenance {
 pub enum SceneError {
     /// A file that cannot be read or written, a text that is not TOML or CSV, a surface without
     /// asperities, a scene without a model; a key that its section does not have or needs, or a
-    /// value of the wrong kind, out of its range, not one of the allowed names, or in another
-    /// notation.
+    /// value of the wrong kind, out of its range, not one of the allowed names, in another
+    /// notation, or beside a field that excludes it.
     #[error("{at}{link}{reason}")]
     Refused {
         /// The field, a missing one at the line of its section, or the field that names the file.
         at: Box<Place>,
-        /// Between the field and the reason: ": ", " is ", or " = " of a text that is no number.
+        /// Between the field and the reason: ": ", " is ", " = " of a text that is no number, or a
+        /// space.
         link: &'static str,
         /// The reason from the system, the parser or the library; or the value found, a similar
         /// name, and the value needed.
         reason: String,
-    },
-    /// Two fields that exclude each other.
-    #[error("{at} and {} exclude each other: {needed} was required", place_without_file(.other))]
-    Conflict {
-        /// The first field.
-        at: Box<Place>,
-        /// The second field.
-        other: Box<Place>,
-        /// The value needed.
-        needed: String,
     },
     /// A name that is no number of this scene, or a number that another one determines.
     #[error("{name} {reason}")]
@@ -114,16 +105,12 @@ pub enum SceneError {
     Fit(#[from] FitError),
 }
 
-fn place_without_file(place: &Place) -> String {
-    place.line.map_or_else(|| place.field.clone(), |line| format!("{} (line {line})", place.field))
-}
-
 impl SceneError {
     /// The place that the error is about; none for the names and data of fits and sweeps.
     #[must_use]
     pub fn place(&self) -> Option<&Place> {
         match self {
-            Self::Refused { at, .. } | Self::Conflict { at, .. } => Some(at),
+            Self::Refused { at, .. } => Some(at),
             Self::Input { .. } | Self::Fit(_) => None,
         }
     }
@@ -132,9 +119,6 @@ impl SceneError {
     #[must_use]
     pub fn reason(&self) -> String {
         match self {
-            Self::Conflict { other, needed, .. } => {
-                format!("not possible beside {}: {needed} was required", other.field)
-            }
             Self::Refused { reason, .. } | Self::Input { reason, .. } => reason.clone(),
             Self::Fit(error) => error.to_string(),
         }
@@ -165,6 +149,13 @@ impl SceneError {
     /// A field that is wrong: the reason follows "is".
     pub(crate) fn wrong(at: impl Into<Box<Place>>, reason: String) -> Self {
         Self::Refused { at: at.into(), link: " is ", reason }
+    }
+
+    /// Two fields that exclude each other.
+    pub(crate) fn conflict(at: Box<Place>, other: &Place, needed: &str) -> Self {
+        let line = other.line.map_or(String::new(), |line| format!(" (line {line})"));
+        let reason = format!("excludes {}{line}: {needed} was required", other.field);
+        Self::Refused { at, link: " ", reason }
     }
 
     /// A missing field.

@@ -17,8 +17,6 @@ use crate::unknown::Unknown;
 pub(crate) const FINISH: &[&str] =
     &["ra", "rq", "rz", "finish", "rsm", "rdq", "bandwidth", "lambda_c", "lambda_s", "mean_slope"];
 
-/// A longer cut-off \[m\] is a length in mm: ten times the longest of ISO 4288, 8 mm.
-const LONGEST: f64 = 0.08;
 /// The key of the mean slope.
 const SLOPE: &str = "mean_slope";
 
@@ -178,12 +176,11 @@ impl Drawing {
                 return Err(ContactError::OutOfRange { field, value, required });
             }
         }
-        let required = match cut {
-            cut if cut > LONGEST => "a length in m up to 0.08, for example \"0.8 mm\",",
-            cut if cut <= short_cut => "a cut-off longer than lambda_s",
-            cut => return Ok([short_cut, cut]),
-        };
-        Err(ContactError::OutOfRange { field: "lambda_c", value: cut, required })
+        if cut <= short_cut {
+            let required = "a cut-off longer than lambda_s";
+            return Err(ContactError::OutOfRange { field: "lambda_c", value: cut, required });
+        }
+        Ok([short_cut, cut])
     }
 
     /// The range of a number for this finish.

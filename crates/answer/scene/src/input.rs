@@ -1,13 +1,27 @@
 //! Numbers of a scene that can be read and replaced, by the sections in which they are written.
 
-use crate::keys::{Field, INTERFACE, OF_PAIR, PREFIXES, joined};
-use crate::spec::{SceneSpec, SurfaceSpec};
+use crate::keys::{Field, PREFIXES, joined};
+use crate::spec::{Bodies, SceneSpec, SurfaceSpec};
 
 /// The numbers of the contact as a whole.
 pub(crate) const SCENE: &[Field<SceneSpec>] = &[Field {
     name: "nominal_area",
     get: |of| Some(of.nominal_area),
     set: |of, value| of.nominal_area = value,
+}];
+
+/// The numbers of two bodies together.
+pub(crate) const OF_BOTH: &[Field<SceneSpec>] = &[Field {
+    name: "work_of_adhesion",
+    get: |of| match &of.bodies {
+        Bodies::Each { work_of_adhesion, .. } => *work_of_adhesion,
+        Bodies::Interface(_) => None,
+    },
+    set: |of, value| {
+        if let Bodies::Each { work_of_adhesion, .. } = &mut of.bodies {
+            *work_of_adhesion = Some(value);
+        }
+    },
 }];
 
 /// The numbers of one rough surface beside those that describe it.
@@ -48,22 +62,9 @@ impl SceneInput {
         joined(self.section, self.key)
     }
 
-    /// Whether this number replaces another one.
+    /// Whether setting this number sets that one, too.
     pub(crate) fn sets(self, other: Self) -> bool {
         let is_of_all = self.section == "body" && EACH.contains(&other.section);
         self == other || is_of_all && self.key == other.key
-    }
-
-    /// Whether a number has no meaning beside another one.
-    pub(crate) fn excludes(self, other: Self) -> bool {
-        let is_elastic = other.section.starts_with("body")
-            && ["youngs_modulus", "poissons_ratio"].contains(&other.key);
-        match self.section {
-            "" | "interface" => {
-                let is_own = Field::of(INTERFACE, self.key).is_some();
-                is_own && is_elastic && !OF_PAIR.contains(&self.key)
-            }
-            _ => self != other && self.sets(other),
-        }
     }
 }

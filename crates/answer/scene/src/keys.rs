@@ -276,8 +276,6 @@ pub(crate) const COUNTERFACE: &str = "surface.counterface";
 /// The numbers of a body that a material gives.
 pub(crate) const MECHANICAL: [&str; 4] =
     ["youngs_modulus", "poissons_ratio", "hardness", "yield_strength"];
-/// The numbers of an interface that do not follow from its bodies.
-pub(crate) const OF_PAIR: [&str; 2] = ["work_of_adhesion", "pressure_factor"];
 /// What names of numbers of one body, or of the second surface, begin with, by their sections.
 pub(crate) const PREFIXES: [(&str, &str); 3] =
     [("body[1]", "body1_"), ("body[2]", "body2_"), (COUNTERFACE, "counterface_")];
@@ -294,6 +292,13 @@ impl Key {
     pub fn find(section: &str, name: &str) -> Option<&'static Self> {
         let named = || KEYS.iter().filter(|key| key.name == name);
         named().find(|key| key.section == section).or_else(|| named().next())
+    }
+
+    /// Whether the number at a path may be known within a range.
+    pub(crate) fn may_have_range(path: &str) -> bool {
+        let (section, name) = section_and_name(path);
+        let is_listed = |key: &Self| matches!(key.subject, Subject::Scan | Subject::Options);
+        name == "skewness" || Self::find(section, name).is_some_and(|key| !is_listed(key))
     }
 
     /// The units of its number.

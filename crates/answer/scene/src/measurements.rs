@@ -2,16 +2,16 @@
 
 use std::path::Path;
 
-use asperity::fit::{DataColumn, MeasuredTable, is_column, is_unit};
+use asperity::fit::{DataColumn, MeasuredTable, is_column};
 
 use crate::error::{Place, SceneError};
 use crate::quantity::notation_hint;
 use crate::text_file::{SAVE_AS_CSV, read_text, shorten};
 
-/// The columns of a csv of numbers with a header, whose names may have units behind them or below
-/// (`Load [kN]`); cells may be empty, and lines that begin with #
-/// are skipped. Where semicolons or tabs separate the cells of the header, numbers may have decimal
-/// commas. The columns `model` and `separation_over_sigma` of `asperity curve` are left out.
+/// The columns of a csv of numbers with a header, whose names may have units behind them
+/// (`Load [kN]`); cells may be empty, and lines that begin with # are skipped. Where semicolons or
+/// tabs separate the cells of the header, numbers may have decimal commas. The columns `model` and
+/// `separation_over_sigma` of `asperity curve` are left out.
 ///
 /// # Errors
 /// [`SceneError`] with the file, the line, the column, the value found and the value needed.
@@ -24,13 +24,10 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
         return Err(SceneError::refused(place("CSV"), reason));
     }
     let needed = "a header, for example load_N,unloading_stiffness_N_per_m";
-    let mut table = Cells::read(&text, path, needed)?;
-    let units = table.units(is_unit);
+    let table = Cells::read(&text, path, needed)?;
     let mut columns: Vec<DataColumn> = vec![];
     for (k, name) in table.head.iter().enumerate() {
-        let unit = units.get(k).map_or("", |unit| unit.trim_matches(['[', ']', '(', ')', '-']));
-        let name = if unit.is_empty() { (*name).into() } else { format!("{name} [{unit}]") };
-        if name == "model" {
+        if *name == "model" {
             let mut models: Vec<&str> = vec![];
             for (_, row) in table.rows.iter().filter(|(_, row)| !row[k].is_empty()) {
                 models.extend(Some(row[k]).filter(|model| !models.contains(model)));
@@ -42,8 +39,8 @@ pub fn read_measurements(path: impl AsRef<Path>) -> Result<MeasuredTable, SceneE
             }
         } else {
             let odd = "is no number, and no fit reads this column; remove it";
-            let numbers = table.column(k, Some(odd).filter(|_| !is_column(&name)))?;
-            columns.push((name, numbers));
+            let numbers = table.column(k, Some(odd).filter(|_| !is_column(name)))?;
+            columns.push((name.to_string(), numbers));
         }
     }
     columns.retain(|(name, _)| name != "separation_over_sigma");
@@ -100,18 +97,6 @@ impl<'t> Cells<'t> {
                 Err(SceneError::refused(at, "no row of values under the header"))
             }
             false => Ok(table),
-        }
-    }
-
-    /// The units below the names, if the first row has some and no numbers; they leave the rows.
-    fn units(&mut self, is_unit: fn(&str) -> bool) -> Vec<&'t str> {
-        let is_row = |row: &[&str]| {
-            row.iter().any(|cell| is_unit(cell))
-                && row.iter().all(|cell| self.number(cell).is_none())
-        };
-        match &self.rows[..] {
-            [(_, row), _, ..] if is_row(row) => self.rows.remove(0).1,
-            _ => vec![],
         }
     }
 
@@ -178,15 +163,6 @@ mod tests {
         let columns = read(text).unwrap();
         let wanted = [("load_N", [Some(1.0), Some(3.0)]), ("area_m2", [Some(2e-9), None])];
         assert_eq!(columns, wanted.map(|(name, values)| (name.to_string(), values.to_vec())));
-    }
-
-    #[test]
-    fn units_may_stand_below_the_names() {
-        let columns = read("Load;A;area_fraction\n[kN];mm2;[-]\n1,5;2;0,1\n").unwrap();
-        let names: Vec<_> = columns.iter().map(|(name, _)| &**name).collect();
-        assert_eq!((names, columns[0].1.len()), (vec!["Load [kN]", "A [mm2]", "area_fraction"], 1));
-        // A row of other words is none of units.
-        assert!(read("load_N,area_m2\nN.,wide\n1,2\n").is_err());
     }
 
     #[test]

@@ -76,26 +76,20 @@ impl ModelOptions {
     /// Checks that an option changes the model of an id.
     ///
     /// # Errors
-    /// [`SceneError::Refused`] with the ids that the option is for.
+    /// [`SceneError::Refused`] at the option.
     pub fn check_for(id: &str, option: &str) -> Result<(), SceneError> {
-        // With yielding there are areas alone, whatever the spectrum.
-        let plastic = Some(PerssonVariance::Plastic);
-        let has = |model: &Model| {
+        let has = |model: Model| {
             let has = model.options().is_some_and(|own| own.get(option).is_some());
-            has && Persson::variance_of(model.equal().id()) != plastic
+            // With yielding there are areas alone, whatever the spectrum.
+            has && Persson::variance_of(model.equal().id()) != Some(PerssonVariance::Plastic)
         };
-        let mut ids: Vec<String> =
-            Model::all().iter().filter(|m| has(m)).map(|model| model.equal().id().into()).collect();
-        ids.extend(["boundary", "elastic"].contains(&option).then(|| Bem::ID.into()));
-        ids.dedup();
-        let model: Option<Model> = id.parse().ok();
-        let of_id = model.as_ref().map_or(id, |model| model.equal().id());
-        if ids.iter().any(|one| one == of_id) {
-            return Ok(());
+        let is_pressed = id == Bem::ID && ["boundary", "elastic"].contains(&option);
+        match is_pressed || id.parse().is_ok_and(has) {
+            true => Ok(()),
+            false => {
+                Err(SceneError::refused(Place::field(option), format!("does not change {id}")))
+            }
         }
-        let which = if ids.is_empty() { "scenes".into() } else { ids.join(", ") };
-        let reason = format!("does not change {id}; it is an option of {which}");
-        Err(SceneError::refused(Place::field(option), reason))
     }
 
     /// The options that differ from the defaults, by name.

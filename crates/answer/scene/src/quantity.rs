@@ -1,8 +1,8 @@
 //! Numbers with a unit, "210 GPa", in SI units.
 
 use asperity::{
-    Units, hardness_of_vickers, plain_unit as plain, units, vickers_of_brinell,
-    vickers_of_rockwell_c,
+    BRINELL_LIMITS, ROCKWELL_C_LIMITS, Units, hardness_of_vickers, plain_unit as plain, short,
+    units, vickers_of_brinell, vickers_of_rockwell_c,
 };
 
 use crate::keys::{Key, key_of_input};
@@ -83,19 +83,20 @@ fn number_in(text: &str, si: &str, key: &str) -> Result<f64, String> {
 /// A number with one of the units of a key, or what follows its text in a message. Of the keys,
 /// the hardness takes results of hardness tests.
 pub(crate) fn in_si(text: &str, key: &str, units: &Units) -> Result<f64, String> {
-    let tested = || {
-        let gigapascals = 1e-9 * hardness_of_vickers(vickers(text).filter(|_| key == "hardness")?);
-        scale(&format!("{gigapascals:e}"), 9)
-    };
-    read(text, units).or_else(tested).ok_or_else(|| {
-        if let Some(hint) = notation_hint(text) {
-            return hint.into();
-        }
-        let typed = Key::find("", key).map(|key| key.form[1]).filter(|typed| !typed.is_empty());
-        let (si, example) = (units.si, typed.unwrap_or(units.example));
-        let names = units.decimal.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ");
-        format!("is not a number in {si}: write \"{example}\", for example (units: {names})")
-    })
+    if let Some(number) = read(text, units) {
+        return Ok(number);
+    }
+    if let Some((number, scale_of_test)) = tested(text).filter(|_| key == "hardness") {
+        let gigapascals = 1e-9 * hardness_of_vickers(vickers(number, &scale_of_test)?);
+        return scale(&format!("{gigapascals:e}"), 9).ok_or_else(|| "is not finite".into());
+    }
+    if let Some(hint) = notation_hint(text) {
+        return Err(hint.into());
+    }
+    let typed = Key::find("", key).map(|key| key.form[1]).filter(|typed| !typed.is_empty());
+    let (si, example) = (units.si, typed.unwrap_or(units.example));
+    let names = units.decimal.iter().map(|(unit, _)| *unit).collect::<Vec<_>>().join(", ");
+    Err(format!("is not a number in {si}: write \"{example}\", for example (units: {names})"))
 }
 
 /// Which of two ends has no unit where the other has one; 0 needs none.
@@ -137,25 +138,60 @@ fn scale(number: &str, power: i32) -> Option<f64> {
     format!("{digits}e{exponent}").parse().ok()
 }
 
-/// The Vickers number of the result of a hardness test, `120 HV10` or `HRC 58`.
-fn vickers(text: &str) -> Option<f64> {
-    let text = text.to_uppercase();
-    let (number, scale) = ["HV", "HRC", "HBW", "HB"].into_iter().find_map(|scale| {
-        let (before, after) = text.trim().split_once(scale)?;
-        // Before the scale, with the load of the test behind it, or behind it.
-        let is_load = |text: &str| text.split('/').all(|of| of.trim().parse::<f64>().is_ok());
-        let number = match (before.trim(), after.trim()) {
-            ("", number) => number.parse::<f64>().ok(),
-            (number, load) if load.is_empty() || is_load(load) => number.parse::<f64>().ok(),
-            _ => None,
-        };
-        number.filter(|value| value.is_finite()).map(|number| (number, scale))
-    })?;
-    match scale {
-        "HV" => Some(number),
-        "HRC" => vickers_of_rockwell_c(number),
-        _ => vickers_of_brinell(number),
-    }
+/// The number and the scale of the result of a hardness test, `120 HV10` or `HRC 58`.
+fn tested(text: &str) -> Option<(f64, String)> {
+    let text = text.trim().to_uppercase();
+    let (before, rest) = text.split_at(text.find('H')?);
+    let end = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
+    let (scale, after) = rest.split_at(end);
+    // Before the scale, with the load of the test behind it, or behind it.
+    let is_load = |text: &str| text.split('/').all(|of| of.trim().parse::<f64>().is_ok());
+    let number = match (before.trim(), after.trim()) {
+        ("", number) => number,
+        (number, load) if load.is_empty() || is_load(load) => number,
+        _ => return None,
+    };
+    let number = number.parse::<f64>().ok().filter(|value| value.is_finite())?;
+    Some((number, scale.into()))
+}
+
+/// The Vickers number of the result of a hardness test, or what follows its text in a message.
+fn vickers(number: f64, scale: &str) -> Result<f64, String> {
+    let instead = "write the Vickers number, \"200 HV\", or a pressure, \"2 GPa\"";
+    let (found, [least, most]) = match scale {
+        "HV" => return Ok(number),
+        "HRC" => (vickers_of_rockwell_c(number), ROCKWELL_C_LIMITS),
+        "HB" | "HBW" => (vickers_of_brinell(number), BRINELL_LIMITS),
+        _ => return Err(format!("is not converted, as HV, HRC and HBW are: {instead}")),
+    };
+    found.ok_or_else(|| {
+        format!("is beyond {least} to {most} {scale}, which are converted: {instead}")
+    })
+}
+
+/// What to write instead of a number with a tolerance, `2 GPa +- 10 %`: both ends, in brackets.
+///
+/// ```text
+/// has a tolerance: write both ends, ["1.8 GPa", "2.2 GPa"]
+/// ```
+pub(crate) fn ends_of_tolerance(text: &str) -> Option<String> {
+    let signs = ["+/-", "+-", "\u{b1}"];
+    let (number, tolerance) = signs.into_iter().find_map(|sign| text.split_once(sign))?;
+    let ((number, unit), (by, of)) = (leading(number)?, leading(tolerance)?);
+    let (number, by) = (number.parse::<f64>().ok()?, by.parse::<f64>().ok()?);
+    let (by, unit) = match (&*unit, &*of) {
+        (_, "%") => (0.01 * by * number, unit),
+        ("", _) => (by, of),
+        (_, "") => (by, unit),
+        (one, other) if one == other => (by, unit),
+        _ => return None,
+    };
+    let end = |value: f64| match &*unit {
+        "" => short(value),
+        unit => format!("\"{} {unit}\"", short(value)),
+    };
+    let [lower, upper] = [number - by, number + by].map(end);
+    Some(format!("has a tolerance: write both ends, [{lower}, {upper}]"))
 }
 
 /// A number with one of the units.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use asperity::{ContactError, Interface, ProfileMoments, Scene, Surface, positive};
+use asperity::{ContactError, Interface, ProfileMoments, Surface, positive};
 
 /// The ways to describe a surface by three numbers, in their order, with the keys.
 pub(crate) const WAYS: [(Way, [&str; 3]); 6] = [
@@ -50,6 +50,23 @@ impl Way {
     #[must_use]
     pub fn of(keys: &[&str]) -> Option<Self> {
         Self::all().find(|way| *way.keys() == *keys)
+    }
+
+    /// The error of a ratio of the surface as that of the keys from which it follows.
+    fn in_own_keys(self, error: ContactError) -> ContactError {
+        let field = match self {
+            Self::Iso25178 => "sq times spd over spc",
+            Self::MeanSlope => {
+                "12 sqrt(3) times asperity_density times (surface_height_std/mean_slope)^2"
+            }
+            _ => return error,
+        };
+        match error {
+            ContactError::OutOfRange { value, required, .. } => {
+                ContactError::OutOfRange { field, value, required }
+            }
+            other => other,
+        }
     }
 
     /// Whether the numbers are those of the surface, from which its asperities follow, not the
@@ -110,7 +127,8 @@ impl Roughness {
             Way::MeanSlope => Surface::from_mean_slope(a, b, c),
             Way::Moments => Surface::from_moments(&ProfileMoments { m0: a, m2: b, m4: c }),
             Way::Iso25178 => Surface::from_surface_std(1.0 / c, b, a),
-        }?;
+        };
+        let surface = surface.map_err(|error| self.way.in_own_keys(error))?;
         surface.check()?;
         Ok(surface)
     }
@@ -129,49 +147,9 @@ impl Roughness {
         ProfileMoments { m0: std * std, ..asperities.moments() }
     }
 
-    /// The way that has all of these keys: the own one, or else one of its asperities, by which any
-    /// surface can be described.
-    pub(crate) fn way_with(&self, keys: &[&str]) -> Option<Way> {
-        let ways = [self.way, Way::Asperities, Way::PlasticityIndex];
-        ways.into_iter().find(|way| keys.iter().all(|key| way.keys().contains(key)))
-    }
-
-    /// The same surface by the numbers of its own way, or of its asperities.
-    fn by(&self, way: Way, interface: &Interface) -> Result<Self, ContactError> {
-        if self.way == way {
-            return Ok(*self);
-        }
-        let surface = self.surface(interface)?;
-        if way == Way::Asperities {
-            return Ok(Self::asperities(&surface));
-        }
-        let scene = Scene::new(*interface, surface, 1.0);
-        let (index, parameter) = (scene.plasticity_index()?, surface.roughness_parameter());
-        Ok(Self { way, numbers: [index, parameter, surface.asperity_height_std] })
-    }
-
-    /// The number of a key, if the surface can be described by it.
-    pub(crate) fn number(&self, key: &str, interface: &Interface) -> Option<f64> {
-        let of = self.by(self.way_with(&[key])?, interface).ok()?;
-        of.by_key().find(|(name, _)| *name == key).map(|(_, number)| number)
-    }
-
-    /// The surface with other numbers: those of its keys replace what was written; with others it
-    /// is described by its asperities, of which the remaining numbers stay.
-    pub(crate) fn with(
-        &self,
-        given: &[(&str, f64)],
-        interface: impl FnOnce() -> Result<Interface, ContactError>,
-    ) -> Result<Self, ContactError> {
-        let mut edited = *self;
-        if !given.iter().all(|(name, _)| self.way.keys().contains(name)) {
-            let names: Vec<&str> = given.iter().map(|(name, _)| *name).collect();
-            edited = self.by(self.way_with(&names).unwrap_or(self.way), &interface()?)?;
-        }
-        for (key, number) in edited.way.keys().iter().zip(&mut edited.numbers) {
-            let found = given.iter().find(|(name, _)| name == key);
-            *number = found.map_or(*number, |(_, value)| *value);
-        }
-        Ok(edited)
+    /// Sets the number of a key.
+    pub(crate) fn set(&mut self, key: &str, value: f64) {
+        let numbers = self.way.keys().iter().zip(&mut self.numbers);
+        numbers.filter(|(name, _)| **name == key).for_each(|(_, number)| *number = value);
     }
 }

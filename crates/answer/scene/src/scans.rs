@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use asperity::{Code, Finding};
+use asperity::{Code, Finding, outside};
 use asperity_topography::{
     Estimator, HeightDensity, Statistics, Topography, TopographyError, read, read_bytes,
 };
@@ -73,8 +73,21 @@ impl<'d> Named<'d> {
             Some(bytes) => read_bytes(&path.to_string_lossy(), bytes, &keys.options),
             None => read(&path, &keys.options),
         };
-        let prepared = read.and_then(|read| keys.clean(read)).and_then(|clean| keys.prepare(clean));
-        prepared.map_err(|error| self.refused(error))
+        let clean = read.and_then(|read| keys.clean(read)).map_err(|error| self.refused(error))?;
+        match self.likely_unit(&clean) {
+            Some(error) => Err(error),
+            None => keys.prepare(clean).map_err(|error| self.refused(error)),
+        }
+    }
+
+    /// The error of a cut-off that another unit makes one of this scan.
+    fn likely_unit(&self, scan: &Topography) -> Option<SceneError> {
+        let ([dx, dy], keys) = (scan.pixel_size(), &self.source.keys);
+        let usual = [2.0 * dx.max(dy), scan.columns() as f64 * dx];
+        let odd = |(key, cut_off): (&'static str, Option<f64>)| {
+            self.document.likely_unit(self.section, outside(key, cut_off?, usual))
+        };
+        [("smooth", keys.smooth), ("filter", keys.filter)].into_iter().find_map(odd)
     }
 
     /// The statistics of a scan by the keys of this one.

@@ -6,7 +6,7 @@ use toml::Value;
 use crate::document::Document;
 use crate::error::SceneError;
 use crate::finish::{Drawing, FINISH};
-use crate::keys::{COUNTERFACE, KEYS, Key, Subject, joined};
+use crate::keys::{COUNTERFACE, KEYS, Subject, joined};
 use crate::resolve::Fault;
 use crate::roughness::{Roughness, Way};
 use crate::scans::{Asked, scans};
@@ -18,8 +18,6 @@ const WORDS: [&str; 2] = ["smooth", "same"];
 /// The file of a measured surface.
 const FILE: [&str; 1] = ["file"];
 const STD: &str = "asperity_height_std";
-/// Keys that describe a surface only beside others.
-const BESIDE: [&str; 3] = [STD, "surface_height_std", "mean_slope"];
 
 /// What a section needs, with all ways.
 fn one_way() -> String {
@@ -30,37 +28,34 @@ fn one_way() -> String {
     )
 }
 
-/// The way by which a section describes its surface, and the key that decides it; refuses keys of
-/// other ways.
+/// The way by which a section describes its surface, and its first key; refuses keys that no way
+/// has together.
 fn way(
     document: &Document<'_>,
     section: &str,
 ) -> Result<(&'static [&'static str], &'static str), SceneError> {
     let at = |key: &str| format!("{section}.{key}");
-    let has = |key: &&&str| document.has(&at(key));
-    let ways = || Way::all().map(|way| &way.keys()[..]).chain([FINISH, &FILE[..]]);
-    let decides = |key: &&&str| !BESIDE.contains(*key) && has(key);
-    let Some(key) = ways().flatten().find(decides).copied() else {
+    let is_given = |key: &&'static str| document.has(&at(key));
+    let keys_of = |subject: Subject| {
+        KEYS.iter().filter(move |key| key.subject == subject).map(|key| key.name)
+    };
+    let given: Vec<_> = keys_of(Subject::Roughness).chain(FILE).filter(is_given).collect();
+    let Some(key) = given.first().copied() else {
         return Err(document.missing(section, one_way()));
     };
-    // Of ways with this key that with most of its keys, or else the first.
-    let with_key = ways().rev().filter(|way| way.contains(&key));
-    let way = with_key.max_by_key(|way| way.iter().filter(has).count()).unwrap_or_default();
-    let is_scan = |key: &Key| key.subject == Subject::Scan;
-    let describes = |key: &&Key| is_scan(key) || key.subject == Subject::Roughness;
-    let odd = KEYS
-        .iter()
-        .filter(describes)
-        .find(|key| !way.contains(&key.name) && has(&&key.name) && !(is_scan(key) && way == FILE));
-    let Some(odd) = odd else { return Ok((way, key)) };
-    let needed = match is_scan(odd) && odd.name != FILE[0] {
-        true => "a measured file".into(),
-        false => one_way(),
+    let fits = |keys: &[&'static str]| {
+        let ways = || Way::all().map(|way| &way.keys()[..]).chain([FINISH, &FILE[..]]);
+        ways().find(|way| keys.iter().all(|key| way.contains(key)))
     };
-    let own = || ways().filter(|way| way.contains(&odd.name));
-    let together = |other: &&&str| own().any(|way| way.contains(other));
-    let other = way.iter().filter(has).find(|other| !together(other)).unwrap_or(&key);
-    Err(document.conflict(&at(other), &at(odd.name), &needed))
+    let Some(way) = fits(&given) else {
+        let pairs = given.iter().flat_map(|one| given.iter().map(move |other| [*one, *other]));
+        let [one, other] = { pairs }.find(|pair| fits(pair).is_none()).unwrap_or([key; 2]);
+        return Err(document.conflict(&at(one), &at(other), &one_way()));
+    };
+    match keys_of(Subject::Scan).find(is_given).filter(|_| way != FILE) {
+        Some(odd) => Err(document.conflict(&at(key), &at(odd), "a measured file")),
+        None => Ok((way, key)),
+    }
 }
 
 /// A scene between these bodies with what was written of the surfaces; the standard deviation of a
@@ -155,11 +150,8 @@ pub(crate) fn refused(
 ) -> SceneError {
     let numbers = spec.one(&section).map_or(vec![], SurfaceSpec::numbers);
     let is_positive = numbers.iter().all(|(_, value)| *value > 0.0);
-    let odd = numbers.into_iter().filter(|_| is_positive).find_map(|(key, value)| {
-        let path = joined(&section, key);
-        let unit = unusual(key, value)?.likely_unit.filter(|_| !document.origin.is_stated(&path));
-        Some(SceneError::refused(document.place(&path), unit?))
-    });
+    let mut odd = numbers.into_iter().filter(|_| is_positive);
+    let odd = odd.find_map(|(key, value)| document.likely_unit(&section, unusual(key, value)));
     odd.unwrap_or_else(|| document.refused(&section)(source))
 }
 

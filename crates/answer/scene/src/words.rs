@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use asperity::{Body, short};
+use asperity::{Body, short, written};
+use toml::Value;
 
 use crate::curvature::Curvature;
 use crate::keys::{CURVATURE, Field, Key};
@@ -19,7 +20,7 @@ impl SceneFile {
         let surfaces = surfaces.collect::<Vec<_>>().join(" on ");
         let radius = |field: &Field<Curvature>| {
             let value = (field.get)(self.spec.curvature.as_ref()?)?;
-            Some(format!(", {} {} m", field.name, short(value)))
+            Some(format!(", {} {}", field.name, number(value, "m")))
         };
         let radii: String = CURVATURE.iter().filter_map(radius).collect();
         format!("{}, {surfaces}{radii}", self.spec.bodies.in_words())
@@ -57,7 +58,7 @@ impl SurfaceSpec {
                 };
                 let named = Path::new(path.file_name().unwrap_or(path.as_os_str()));
                 let keys = written.iter().filter(|(key, _)| *key != "file");
-                let keys = keys.map(|(key, value)| format!(", {key} = {value}"));
+                let keys = keys.map(|(key, value)| format!(", {key} = {}", of_key(value)));
                 format!("scan {}{}", named.display(), keys.collect::<String>())
             }
             Description::Drawing(drawing) => {
@@ -69,12 +70,27 @@ impl SurfaceSpec {
     }
 }
 
+/// The value of a key of a scan.
+fn of_key(value: &Value) -> String {
+    match value {
+        Value::Float(number) => written(*number),
+        Value::Array(items) => {
+            format!("[{}]", items.iter().map(of_key).collect::<Vec<_>>().join(", "))
+        }
+        other => other.to_string(),
+    }
+}
+
 /// A number in the unit that engineers write.
 fn number(value: f64, unit: &str) -> String {
-    let (factor, unit) = match unit {
-        "m" => (1e6, "um"),
-        "Pa" => (1e-9, "GPa"),
-        other => (1.0, other),
+    let (factor, unit) = match (unit, value.abs()) {
+        ("m", below) if below < 1e-7 => (1e9, "nm"),
+        ("m", below) if below < 1e-3 => (1e6, "um"),
+        ("m", below) if below < 0.1 => (1e3, "mm"),
+        ("Pa", below) if below < 1e6 => (1e-3, "kPa"),
+        ("Pa", below) if below < 1e9 => (1e-6, "MPa"),
+        ("Pa", _) => (1e-9, "GPa"),
+        (other, _) => (1.0, other),
     };
     format!("{} {unit}", short(value * factor))
 }
@@ -93,8 +109,12 @@ mod tests {
         let pair = "[[body]]\nmaterial = \"42CrMo4\"\n[[body]]\nyoungs_modulus = 70e9\npoissons_ratio = 0.3";
         let ground = "ra = 0.8e-6\nfinish = \"ground\"\ncounterface = \"smooth\"";
         let interface = "[interface]\nequivalent_modulus = 115e9\npoissons_ratio = 0.3";
-        insta::assert_snapshot!(
-            [words(pair, ground), words(interface, "m0 = 1e-12\nm2 = 1e-4\nm4 = 5e4")].join("\n")
-        );
+        let soft = "[interface]\nequivalent_modulus = 2e6\npoissons_ratio = 0.5";
+        let moments = "m0 = 1e-12\nm2 = 1e-4\nm4 = 5e4";
+        let fine = "asperity_radius = 5e-8\nasperity_density = 1e15\nasperity_height_std = 1e-9";
+        let all = [words(pair, ground), words(interface, moments), words(soft, fine)];
+        insta::assert_snapshot!(all.join("\n"));
+        let small = Value::from(vec![3e-7, 0.5]);
+        assert_eq!(of_key(&small), "[3e-7, 0.5]");
     }
 }

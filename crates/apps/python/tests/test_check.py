@@ -56,7 +56,8 @@ def test_numbers_in_other_units_are_named(scene: asperity.Scene) -> None:
 
 def test_a_scene_without_an_answer_is_explained(scene: asperity.Scene) -> None:
     # A modulus in GPa: no separation carries the pressure.
-    soft = scene.replace(equivalent_modulus=116.0)
+    interface = asperity.Interface(116.0, 0.3, hardness=2e9)
+    soft = asperity.Scene(interface, scene.surface, nominal_area=1e-4)
     places: list[dict[str, Any]] = [{"pressure": 1e8}, {"load": 1e4}, {"separation": 2.0}]
     for place in places:
         check = asperity.check(soft, **place)

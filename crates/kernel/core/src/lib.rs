@@ -59,7 +59,10 @@ pub use response::plan::{Plan, PlannedPart, Step};
 pub use response::row_check::RowCheck;
 pub use response::{Column, Response};
 pub use scene::asperity::Asperity;
-pub use scene::hardness::{hardness_of_vickers, vickers_of_brinell, vickers_of_rockwell_c};
+pub use scene::hardness::{
+    BRINELL_LIMITS, ROCKWELL_C_LIMITS, hardness_of_vickers, vickers_of_brinell,
+    vickers_of_rockwell_c,
+};
 pub use scene::material::{Body, HARDNESS_OVER_YIELD, Interface, MaterialNumber};
 pub use scene::pair::{Pair, RoughSurface};
 pub use scene::surface::{ProfileMoments, Surface};

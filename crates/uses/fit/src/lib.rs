@@ -23,7 +23,6 @@ pub use error::FitError;
 pub use fit::{Fit, Progress};
 pub use fitted::{Estimate, Fitted, Residual};
 pub use forward::{Rig, places, predict};
-pub use names::is_unit;
 pub use observation::{DataColumn, Measured, MeasuredTable, Observation, Position};
 pub use parameter::{Parameter, Role, USUAL_FACTOR};
 pub use problem::MakeScene;

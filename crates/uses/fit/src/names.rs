@@ -141,8 +141,7 @@ pub(crate) fn with_unit(name: &str) -> Option<Named> {
 }
 
 /// Whether a text is a unit of a column, as `[kN]`.
-#[must_use]
-pub fn is_unit(text: &str) -> bool {
+fn is_unit(text: &str) -> bool {
     let unit = unit_in_name(text);
     let is = |known: &Known| size(&unit, &known.si).is_some();
     over_area(&unit).is_some() || known_columns().iter().any(is)

@@ -8,8 +8,8 @@ use asperity_core::{
 /// The advice about an unusual number.
 pub(super) const CHECK_UNIT: &str = "check the number and its unit";
 
-/// Units that explain no number.
-const RARE: [&str; 4] = ["bar", "cm", "kPa", "pm"];
+/// Units that explain no number: instruments report none in them.
+const RARE: [&str; 6] = ["bar", "cm", "kPa", "pm", "1/cm", "1/cm2"];
 
 /// Numbers of a scene by their keys: the usual range, a typical value, and the SI unit.
 type Usual = (&'static [&'static str], [f64; 2], f64, &'static str);
@@ -26,7 +26,7 @@ const RADII: [&str; 7] = [
 ];
 
 /// From elastomers to diamond; asperities from atomic corrugation to the stones of asphalt.
-const USUAL: [Usual; 30] = [
+const USUAL: [Usual; 33] = [
     (&["youngs_modulus", "equivalent_modulus"], [1e6, 2e12], 1e11, "Pa"),
     (&["equivalent_shear_modulus"], [3e5, 1e12], 3e10, "Pa"),
     (&["hardness"], [1e5, 1.5e11], 3e9, "Pa"),
@@ -56,7 +56,11 @@ const USUAL: [Usual; 30] = [
     (&["m4"], [100.0, 1e17], 5e4, "1/m2"),
     (&["mean_slope", "rdq", "rms_gradient", "height_std_over_radius"], [0.0, 1.0], 0.1, ""),
     // Of profiles and of random surfaces, from atoms to waviness.
-    (&["rsm", "wavelength"], [1e-10, 0.05], 1e-4, "m"),
+    (&["rsm"], [1e-10, 0.05], 1e-4, "m"),
+    (&["wavelength"], [1e-10, 0.05], 5e-6, "m"),
+    // From scans by atomic force to profiles of waviness.
+    (&["lambda_c", "filter"], [1e-9, 0.08], 8e-4, "m"),
+    (&["lambda_s", "smooth"], [1e-10, 0.01], 2.5e-6, "m"),
     (&["mean_plane_offset"], [-2e-3, 2e-3], 1e-6, "m"),
     // Of gases and liquids; the jump distance is at most as of air at 1e-4 bar.
     (&["gas_conductivity"], [1e-3, 100.0], 0.03, "W/(m K)"),
@@ -103,8 +107,12 @@ pub fn outside(key: &'static str, value: f64, usual: [f64; 2]) -> Option<Finding
     let found = match known.min_by(|one, other| off(one.1).total_cmp(&off(other.1))) {
         Some((unit, size)) => {
             let [given, meant] = [value, value * size].map(short);
-            let hint = format!("{given} looks like {unit}; {given} {unit} is {meant} {si}");
-            found.likely_unit(hint.trim_end()).implausible(true)
+            let hint = match unit {
+                // Pure numbers are written without it.
+                "%" => format!("{given} looks like %: write {meant}"),
+                _ => format!("{given} looks like {unit}; {given} {unit} is {meant} {si}"),
+            };
+            found.likely_unit(hint).implausible(true)
         }
         None => found.implausible(value < 0.1 * usual[0] || value > 10.0 * usual[1]),
     };

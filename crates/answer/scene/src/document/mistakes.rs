@@ -6,7 +6,7 @@ use toml::de::Error;
 use super::Document;
 use crate::error::{Place, SceneError};
 use crate::keys::{Key, section_and_name};
-use crate::quantity::notation_hint;
+use crate::quantity::{ends_of_tolerance, notation_hint};
 use crate::text_file::shorten;
 
 impl Document<'_> {
@@ -17,9 +17,14 @@ impl Document<'_> {
         let span = self.values.get(path).map(|(span, _)| span.clone());
         let found = self.text.get(span.unwrap_or_default()).unwrap_or_default();
         let found = shorten(found).replace(char::is_control, " ");
+        let text = found.trim_matches('"');
+        let ends = Key::may_have_range(path).then(|| ends_of_tolerance(text)).flatten();
+        if let Some(hint) = ends {
+            return SceneError::notation(self.place(path), &found, &hint);
+        }
         let expected = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
         let needed = match expected {
-            "f64" if found.starts_with('[') && super::may_have_range(path) => {
+            "f64" if found.starts_with('[') && Key::may_have_range(path) => {
                 format!("a number, or two as the ends of a range ({meaning}),")
             }
             "f64" => format!("a number ({meaning})"),
@@ -32,7 +37,7 @@ impl Document<'_> {
         // A number in quotes is an example, not a name.
         let names = needed.split('"').skip(1).step_by(2);
         let names = names.filter(|name| !name.starts_with(|c: char| c.is_ascii_digit()));
-        let near = nearest_name(found.trim_matches('"'), names);
+        let near = nearest_name(text, names);
         SceneError::of_names(self.place(path), &found, near, &needed)
     }
 
@@ -69,5 +74,7 @@ fn other_notation(line: &str) -> Option<String> {
         return Some("each of two bodies is written [[body]]; ".into());
     }
     let value = line.split_once('=')?.1.split('#').next()?.trim();
-    notation_hint(value).map(|hint| format!("{value} {hint}; "))
+    let ends = || ends_of_tolerance(&value.replace('"', ""));
+    let hint = notation_hint(value).map(String::from).or_else(ends)?;
+    Some(format!("{value} {hint}; "))
 }

@@ -1,6 +1,6 @@
 //! Numbers with units, and synonyms of keys.
 
-use asperity::Findings;
+use asperity::{Findings, Severity};
 
 use crate::scene_files::{INTERFACE, SURFACE, read, text};
 
@@ -114,6 +114,31 @@ fn a_unit_that_was_given_is_never_reinterpreted() {
     // Annealed copper.
     let copper = asperity::Body::new(120e9, 0.34, 400e6);
     assert!(asperity::Plausible::findings(&copper).is_empty());
+}
+
+#[test]
+fn an_area_without_its_unit_is_a_warning_and_one_with_it_none() {
+    let warned = |area: &str| {
+        let found = findings(STEEL, area, GROUND);
+        found.iter().map(|one| (one.field.to_string(), one.severity)).collect::<Vec<_>>()
+    };
+    assert_eq!(warned("1"), [("nominal_area".to_string(), Severity::Warning)]);
+    assert_eq!(warned("\"1 m2\""), []);
+}
+
+#[test]
+fn what_is_to_be_written_instead_of_a_tolerance_is_taken() {
+    for (given, ends) in
+        [("\"2 GPa +- 10 %\"", [1.8e9, 2.2e9]), ("\"2.5 \u{b1} 0.5 GPa\"", [2e9, 3e9])]
+    {
+        let with =
+            |hardness: &str| read(&text("", &INTERFACE.replace("1.12e9", hardness), SURFACE));
+        let refused = with(given).unwrap_err();
+        assert_eq!(refused.place().unwrap().field, "interface.hardness");
+        let reason = refused.reason();
+        let file = with(&reason[reason.find('[').unwrap()..]).unwrap();
+        assert_eq!(file.unknowns()[0].ends.map(f64::to_bits), ends.map(f64::to_bits));
+    }
 }
 
 #[test]

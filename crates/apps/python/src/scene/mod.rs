@@ -215,11 +215,8 @@ impl SceneFile {
     ///
     /// Of a scene with bodies, hardness, youngs_modulus and so on are those of both bodies, and
     /// body1_hardness that of one. Numbers of a surface are those of the first of two, and
-    /// counterface_m0 and so on those of the second: as written,
-    /// so that a plasticity_index stays where asperity_height_std or hardness changes, or m0 where
-    /// m2 does. Of a surface that is written otherwise, asperity_radius, asperity_density and
-    /// asperity_height_std, or plasticity_index and roughness_parameter, describe it from then on,
-    /// beside the other asperities that it has.
+    /// counterface_m0 and so on those of the second: as written, so that a plasticity_index stays
+    /// where asperity_height_std or hardness changes, or m0 where m2 does.
     #[pyo3(signature = (**numbers))]
     fn replace(&self, numbers: Option<BTreeMap<String, Object<'_>>>) -> PyResult<Self> {
         let numbers = numbers.unwrap_or_default();

@@ -3,9 +3,12 @@
 /// Rockwell C and Vickers hardness of steel. \[recalled\]
 const ROCKWELL_C: [[f64; 2]; 6] =
     [[20.0, 238.0], [30.0, 302.0], [40.0, 392.0], [50.0, 513.0], [58.0, 653.0], [65.0, 832.0]];
-/// Brinell over Vickers hardness of steel, and the largest Brinell hardness for which this holds.
-/// \[recalled\]
-const BRINELL: [f64; 2] = [0.95, 450.0];
+/// Brinell over Vickers hardness of steel. \[recalled\]
+const BRINELL: f64 = 0.95;
+/// The Rockwell C hardnesses that are converted.
+pub const ROCKWELL_C_LIMITS: [f64; 2] = [ROCKWELL_C[0][0], ROCKWELL_C[ROCKWELL_C.len() - 1][0]];
+/// The Brinell hardnesses that are converted: beyond, the ball flattens. \[recalled\]
+pub const BRINELL_LIMITS: [f64; 2] = [0.0, 450.0];
 
 /// The contact hardness \[Pa\] of a Vickers hardness, the mean pressure on the projected area:
 /// 9.807 HV/sin 68° MPa, as the number is the load in kgf over the area in mm² of the facets of a
@@ -35,8 +38,8 @@ pub fn vickers_of_rockwell_c(rockwell: f64) -> Option<f64> {
 /// HBW/0.95; `None` beyond, where the ball flattens. \[recalled\]
 #[must_use]
 pub fn vickers_of_brinell(brinell: f64) -> Option<f64> {
-    let [ratio, most] = BRINELL;
-    (brinell > 0.0 && brinell <= most).then(|| brinell / ratio)
+    let [least, most] = BRINELL_LIMITS;
+    (brinell > least && brinell <= most).then(|| brinell / BRINELL)
 }
 
 #[cfg(test)]

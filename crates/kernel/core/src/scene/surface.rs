@@ -123,8 +123,9 @@ impl Surface {
         positive("surface_height_std", surface_height_std)?;
         let per_length = asperity_density * asperity_radius;
         let beta = per_length * surface_height_std;
-        let required = "at least 0.02493, as of every isotropic Gaussian surface (asperity_density times asperity_radius times surface_height_std, or sq times spd over spc),";
-        require(beta >= 0.024_93, "roughness_parameter", beta, required)?;
+        let field = "asperity_density times asperity_radius times surface_height_std";
+        let required = "at least 0.02493, as of every isotropic Gaussian surface,";
+        require(beta >= 0.024_93, field, beta, required)?;
         let share = 1.0 - SUMMIT_VARIANCE / (beta * beta);
         let asperity_height_std = surface_height_std * share.sqrt();
         Ok(Self { asperity_radius, asperity_density, asperity_height_std })
