@@ -207,7 +207,7 @@ impl Drawing {
             }
         };
         let text = format!("{text} {} to {}", range.lower, range.upper);
-        Ok(range.unknown("rq", of, &text, "rq"))
+        Ok(range.unknown("rq", of, &text, "a measured Rq"))
     }
 
     /// The mean slope across the lay.
