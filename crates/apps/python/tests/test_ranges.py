@@ -46,9 +46,12 @@ def test_ranges_are_those_of_the_corners() -> None:
     assert np.all((found.lower < found.middle) & (found.middle < found.upper))
     assert np.allclose(sum(found.shares.values()), 1.0)
     checked = asperity.check(ground, "ke", pressure=1e6)
-    row = checked["name"].index("area")
+    index = asperity.ranges(ground, lambda one: one.plasticity_index)
+    row = checked["name"].index("plasticity_index")
     ends = [checked[head][row] for head in ("value", "lower", "upper")]
-    assert np.allclose(ends, [found.middle[0], found.lower[0], found.upper[0]], rtol=1e-9)
+    assert np.allclose(ends, [index.middle, index.lower, index.upper], rtol=1e-9)
+    # A curve has the ends of answers.
+    assert np.isnan(checked["lower"][checked["name"].index("area")])
 
 
 def test_a_known_surface_has_no_ranges() -> None:
