@@ -16,6 +16,9 @@ use crate::subject::{Outcome, Subject};
 /// More nodes than this are not added to meet an error.
 const MOST_NODES: usize = 100_000;
 
+/// Least relative error of a table of `best`.
+const LEAST_OF_BEST: f64 = 1e-5;
+
 /// One node.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ContactNode {
@@ -113,6 +116,13 @@ impl Builder {
         let even = self.even(ends, count)?;
         let Some(error) = error else { return self.table(even) };
         asperity::positive("error", error)?;
+        // Thousands of nodes are followed by none of the interpolations behind it.
+        if self.contact.model() == Best::<Model>::ID && error < LEAST_OF_BEST {
+            let text = format!(
+                "error is {error:e}: at least {LEAST_OF_BEST:e} was required of best, whose interval is a thousand times as wide"
+            );
+            return Err(text.into());
+        }
         let mut nodes = vec![even[0]];
         // Intervals still to be looked at, the next one on top.
         let mut ahead: Vec<ContactNode> = even[1..].iter().rev().copied().collect();
