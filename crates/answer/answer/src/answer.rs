@@ -183,7 +183,7 @@ pub fn basis(best: &BestContact<Model>, quantities: &[Quantity], at: At) -> Basi
                 let text = match known.ends {
                     Some(_) => format!(", corrected by solved surfaces like this one ({basis})"),
                     None => format!(
-                        ", corrected by the nearest solved surfaces ({basis}), without an interval: {}",
+                        ", corrected by solved surfaces ({basis}), without an interval: {}",
                         best.why(*of, at).1
                     ),
                 };

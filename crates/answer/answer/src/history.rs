@@ -7,6 +7,8 @@ use crate::number::rounded;
 use crate::subject::Subject;
 use crate::{AnswerError, Sheet};
 
+/// The most paths whose work is listed.
+const LISTED: usize = 6;
 /// Points on each path between turning points.
 const STEPS: usize = 50;
 
@@ -69,12 +71,22 @@ fn report_work(sheet: &mut Sheet, subject: &Subject<'_>, joint: &Joint, path: &P
         }
     };
     let [first, all] = [closing, closing + path.work.iter().sum::<f64>()].map(rounded);
-    let later: Vec<String> = path.work.iter().copied().map(rounded).collect();
-    let text = match later.join(", ") {
-        none if none.is_empty() => format!("closing to the turning point takes {first} J"),
-        later => format!(
-            "first closing takes {first} J, the later paths {later} J (negative: returned), {all} J in total"
-        ),
+    let later = &path.work[..];
+    let text = match later.len() {
+        0 => format!("closing to the turning point takes {first} J"),
+        1..=LISTED => {
+            let works = later.iter().map(|work| rounded(*work)).collect::<Vec<_>>().join(", ");
+            format!(
+                "first closing takes {first} J, the later paths {works} J (negative: returned), {all} J in total"
+            )
+        }
+        count => {
+            let least = rounded(later.iter().copied().fold(f64::INFINITY, f64::min));
+            let most = rounded(later.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+            format!(
+                "first closing takes {first} J, each of the {count} later paths from {least} to {most} J (negative: returned), {all} J in total"
+            )
+        }
     };
     sheet.result(by(&text));
 }

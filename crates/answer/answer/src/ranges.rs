@@ -135,7 +135,7 @@ impl Ends<'_> {
         };
         let shown: Vec<(usize, bool)> =
             sheet.heads.iter().enumerate().filter_map(is_shown).collect();
-        self.add_presumed(sheet);
+        self.report_presumed(sheet);
         let mut found = [NoEnds::Missing, NoEnds::Growing].map(|why| (why, [0; 2]));
         for (column, has_interval) in shown {
             for row in 0..sheet.rows.len() {
@@ -169,16 +169,21 @@ impl Ends<'_> {
         }
     }
 
-    /// Says that ends take the error of the nearest solved surfaces, where none is like a point.
-    fn add_presumed(&self, sheet: &mut Sheet) {
-        let is_beyond = |found: &Finding| {
-            found.code == Code::Extrapolated && found.field != "load"
-                || found.code == Code::NoEvidence
-        };
-        let has_beyond = |sheet: &Sheet| sheet.findings.iter().any(is_beyond);
-        if has_beyond(sheet) || self.sheets.iter().any(has_beyond) {
-            let text = "at some points of the ranges no surface like this one was solved: ends of best take the error of the nearest ones there, or none";
-            sheet.result(text);
+    /// Says where ends take an interval that is not known, or lack it.
+    fn report_presumed(&self, sheet: &mut Sheet) {
+        let is_load = |found: &Finding| found.field == "load" || found.field == "curvature";
+        for (code, text) in [
+            (
+                Code::Extrapolated,
+                "in part of the ranges the interval of best is not known, and the ends take it from the nearest solved surfaces",
+            ),
+            (Code::NoEvidence, "in part of the ranges a model answers, whose error the ends lack"),
+        ] {
+            let is_found = |found: &Finding| found.code == code && !is_load(found);
+            let has = |sheet: &Sheet| sheet.findings.iter().any(is_found);
+            if has(sheet) || self.sheets.iter().any(has) {
+                sheet.result(text);
+            }
         }
     }
 

@@ -19,8 +19,8 @@ pub const BEM: &str = "bem";
 pub const WHOLE_SURFACE: &str =
     "boundary elements, persson-plastic, or persson-fudge if nothing yields";
 
-/// Models of which the first valid one answers where there is no evidence; those with adhesion
-/// where it matters.
+/// Models of which the first valid one answers where there is no evidence, and whose ratios to it
+/// are kept beyond solved loads; those with adhesion where it matters.
 pub const ANSWERING: [&str; 8] =
     ["ke", "zmc", "jg", "gw", "persson-plastic", "persson-fudge", "jkr", "dmt"];
 

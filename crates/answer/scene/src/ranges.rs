@@ -1,6 +1,6 @@
 //! Numbers that are known within a range, and the scene at points of the ranges.
 
-use asperity::{Code, ContactError, Finding, Interface, Severity};
+use asperity::{Body, Code, ContactError, Finding, Interface, Severity};
 
 use crate::error::{Place, SceneError};
 use crate::input::SceneInput;
@@ -171,14 +171,19 @@ impl Bodies {
 }
 
 impl SceneSpec {
-    /// The least yield strength that was written without a hardness \[Pa\], of curved bodies.
+    /// The yield strength of the weaker of curved bodies \[Pa\], if one was written without a
+    /// hardness.
     pub(crate) fn strength(&self) -> Option<f64> {
         let alone = |hardness: Option<f64>, of: Option<f64>| of.filter(|_| hardness.is_none());
+        let hardened = |hardness: f64| hardness / asperity::HARDNESS_OVER_YIELD;
         let written = match &self.bodies {
             Bodies::Interface(of) => alone(of.hardness, of.yield_strength),
             Bodies::Each { bodies, .. } => {
-                let all = bodies.iter().filter_map(|of| alone(of.hardness, of.yield_strength));
-                all.min_by(f64::total_cmp)
+                let mut all = bodies.iter();
+                let is_alone = all.any(|of| alone(of.hardness, of.yield_strength).is_some());
+                let of = |of: &Body| of.yield_strength.or(of.hardness.map(hardened));
+                let least = bodies.iter().filter_map(of).min_by(f64::total_cmp);
+                least.filter(|_| is_alone)
             }
         };
         written.or(self.curvature?.strength)
@@ -228,8 +233,11 @@ impl SceneFile {
     /// The unknowns; those that follow from others have the ends between these.
     pub(crate) fn unknowns_between(&self) -> Result<Vec<Unknown>, ContactError> {
         let mut all = self.unknowns();
-        for share in [0.0, 1.0] {
-            let written = self.ranges.iter().map(|(input, one)| (*input, one.at(share)));
+        // All combinations of ends, of many ranges those of the first.
+        for corner in 0..1_usize << self.ranges.len().min(FULL) {
+            let end = |k: usize| ((corner >> k) & 1) as f64;
+            let written = self.ranges.iter().enumerate();
+            let written = written.map(|(k, (input, one))| (*input, one.at(end(k))));
             let there = self.with_inputs(written)?.unknowns();
             for one in &mut all {
                 for other in there.iter().filter(|other| other.name == one.name) {

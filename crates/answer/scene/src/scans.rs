@@ -51,9 +51,12 @@ impl<'d> Named<'d> {
         let mut keys = MeasuredKeys::read(document, section)?;
         keys.periodic |= asked == Asked::Scan { periodic: true };
         if keys.smooth.zip(keys.filter).is_some_and(|(smooth, filter)| smooth >= filter) {
-            let needed = "a value of smooth below filter, which keeps some wavelengths,";
-            let [smooth, filter] = ["smooth", "filter"].map(|key| joined(section, key));
-            return Err(document.conflict(&smooth, &filter, needed));
+            let reason =
+                "not below filter, so that no wavelength is left: a smaller value was required";
+            return Err(SceneError::wrong(
+                document.place(&joined(section, "smooth")),
+                reason.into(),
+            ));
         }
         let Some(path) = keys.file.clone() else { return Ok(None) };
         let given = document.value(section).and_then(Value::as_table);

@@ -49,6 +49,19 @@ impl TableFormat {
         }
     }
 
+    /// Refuses conductance in a format that has none, before any table is made.
+    ///
+    /// # Errors
+    /// Conductance in formats other than Abaqus and CalculiX.
+    pub fn check(self, conductance: bool) -> Result<(), String> {
+        match self {
+            Self::Csv | Self::Film if conductance => {
+                Err(format!("{} has no conductance; use abaqus or calculix", self.name()))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Whether nodes are joined by cubics through pressures and stiffnesses (Hermite), both
     /// continuous as Newton's method needs, and not by straight lines.
     pub(crate) fn is_cubic(self) -> bool {
@@ -121,10 +134,7 @@ impl Export<'_> {
     /// error that no table meets, and what the format has no room for.
     pub fn answer(&self, sheet: &mut Sheet, watch: &dyn Watch) -> Result<Exported, AnswerError> {
         sheet.under(&[&["clearance_m", "pressure_Pa", "tangent_Pa_per_m"]]);
-        if self.conductance && matches!(self.format, TableFormat::Csv | TableFormat::Film) {
-            let name = self.format.name();
-            return Err(format!("{name} has no conductance; use abaqus or calculix").into());
-        }
+        self.format.check(self.conductance)?;
         self.subject.file.need_flat()?;
         watch.progress("nodes");
         let of_model = |error: AnswerError| error.of_model(self.subject.id());

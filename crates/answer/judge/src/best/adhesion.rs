@@ -8,7 +8,7 @@ use asperity_core::{At, Contact, Quantity, Request, Scene, short};
 const BETWEEN: f64 = 0.7;
 /// The model without adhesion that both extend.
 const PLAIN: &str = "gw";
-/// A relative change of the area that no interval holds.
+/// A relative change of the area that intervals do not count.
 const MATTERS: f64 = 0.05;
 
 /// A model with adhesion beside the same without, on a scene that has a work of adhesion.
@@ -30,7 +30,7 @@ impl Adhesion {
     }
 
     /// By how much it changes the area at a mean pressure \[Pa\], if that matters.
-    pub(super) fn at(&self, pressure: f64) -> Option<String> {
+    pub(super) fn effect_on_area(&self, pressure: f64) -> Option<String> {
         let area = |contact: &dyn Contact| {
             Some(contact.evaluate(Quantity::Area, At::Pressure(pressure)).ok()?.value())
         };

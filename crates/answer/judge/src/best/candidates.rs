@@ -86,13 +86,19 @@ pub(super) type AllJudged = OnceLock<Vec<OnceLock<Judged>>>;
 /// A place of an answer.
 #[derive(Debug)]
 pub(super) struct Place {
-    /// Mean pressure \[Pa\]; none at a separation outside of all evidence.
+    /// Mean pressure \[Pa\]; none at a separation that no pressure is expected to have.
     pub(super) pressure: Option<f64>,
     pub(super) expected: Result<ExpectedContact, ContactError>,
     pub(super) judged: AllJudged,
 }
 
 impl Place {
+    /// Whether what is expected there is known at a pressure \[Pa\] itself.
+    pub(super) fn has(&self, pressure: f64) -> bool {
+        let is_here = |found: &ExpectedContact| !found.extrapolated;
+        self.pressure == Some(pressure) && self.expected.as_ref().is_ok_and(is_here)
+    }
+
     /// Whether solved surfaces give an interval.
     pub(super) fn has_interval(&self) -> bool {
         let any = |found: &ExpectedContact| found.values.iter().any(|(_, one)| one.ends.is_some());

@@ -95,13 +95,13 @@ impl<M: Answering> BestContact<M> {
         })
     }
 
-    /// The valid model that is nearest to the expected value, and its own there; at the `other`
+    /// The valid model that is nearest to the expected value, and its own there; at an `other`
     /// pressure \[Pa\] it has no more area than there is.
     pub(super) fn nearest(
         &self,
         of: Compared,
         expected: &ExpectedContact,
-        other: f64,
+        other: Option<f64>,
     ) -> Option<(&Candidate<M>, f64)> {
         let wanted = expected.estimate(of)?.value;
         let at = At::Pressure(expected.pressure);
@@ -110,7 +110,7 @@ impl<M: Answering> BestContact<M> {
             self.candidates(&place.judged, at).filter(|(_, judged)| judged.outside.is_none());
         let fits = |one: &Candidate<M>| {
             let area = |other: f64| one.value(Compared::Area, At::Pressure(other));
-            !expected.extrapolated || area(other).is_ok_and(|area| area <= 1.0)
+            other.is_none_or(|other| area(other).is_ok_and(|area| area <= 1.0))
         };
         let known = valid.filter(|(one, _)| fits(one));
         let known = known.filter_map(|(one, _)| Some((one, one.value(of, at).ok()?)));
@@ -124,14 +124,17 @@ impl<M: Answering> BestContact<M> {
     /// The model whose value is the answer or, with evidence, the valid one that is nearest to it.
     #[must_use]
     pub fn by(&self, of: Compared, at: At) -> Option<&M> {
-        let place = self.place(at);
-        let expected = place.expected.as_ref().ok().zip(place.pressure);
-        let nearest = expected.and_then(|(expected, own)| match expected.extrapolated {
-            true => self.keeping(of, expected, own),
-            false => Some(self.nearest(of, expected, own)?.0),
-        });
+        let expected = || {
+            let pressure = self.place(at).pressure?;
+            let anchor = self.anchor(of, pressure)?;
+            let expected = anchor.expected.as_ref().ok()?;
+            match anchor.has(pressure) {
+                true => Some(self.nearest(of, expected, None)?.0),
+                false => self.keeping(of, expected, pressure),
+            }
+        };
         let first = || self.first(of, at).ok().map(|(one, ..)| one);
-        nearest.or_else(first).map(|one| &one.model)
+        expected().or_else(first).map(|one| &one.model)
     }
 
     /// That the asperities of a model are pressed in deeply, if they are.

@@ -153,7 +153,10 @@ impl<M: Answering> BestContact<M> {
             _ => given,
         };
         let expected = pressure.map_or_else(
-            || Err(self.no_evidence("separation", "no solved surface has this mean gap")),
+            || {
+                let reason = "no solved surface has this mean gap".into();
+                Err(ContactError::NoEvidence { property: "separation", reason })
+            },
             |pressure| self.expected(pressure),
         );
         let place = Arc::new(Place { pressure, expected, judged: Default::default() });
@@ -165,14 +168,12 @@ impl<M: Answering> BestContact<M> {
         place
     }
 
-    fn no_evidence(&self, property: &'static str, reason: &str) -> ContactError {
-        ContactError::NoEvidence { property, reason: reason.into() }
-    }
-
     fn expected(&self, pressure: f64) -> Result<ExpectedContact, ContactError> {
         let mut found = self.expected_of(&Compared::ALL, pressure, self.counted.at(pressure))?;
-        if let Some(reason) = self.adhesion.as_ref().and_then(|adhesion| adhesion.at(pressure)) {
-            found.values.iter_mut().for_each(|(_, one)| one.ends = None);
+        if let Some(reason) =
+            self.adhesion.as_ref().and_then(|adhesion| adhesion.effect_on_area(pressure))
+        {
+            found.values.iter_mut().for_each(|(_, one)| (one.ends, one.presumed) = (None, None));
             found.outside = Some((Self::ADHESION, reason));
         }
         Ok(found)
@@ -358,13 +359,14 @@ impl<M: Answering> ContactEngine for BestContact<M> {
         let known = self.known(of, at).ok()?;
         let presumed = known.presumed.filter(|_| self.best.within_ranges);
         let ends = known.ends.or(presumed)?;
+        let nearest = if known.ends.is_none() { ", as at the nearest solved ones" } else { "" };
         let load = pressure * self.scene.nominal_area;
         let end = |compared: f64| match quantity {
             Some(quantity) => Some(self.of(quantity, load, compared, 0.0).ok()?.value()),
             None => Some(compared),
         };
         let [one, other] = [end(ends[0])?, end(ends[1])?];
-        let of = self.of_what(pressure);
+        let of = self.of_what(pressure) + nearest;
         Some(Interval { lower: one.min(other), upper: one.max(other), of })
     }
 

@@ -7,7 +7,7 @@ use asperity_core::{Datum, Separation, SeparationUnit};
 
 /// Ratio of neighbouring pressures between which a gap is looked for.
 const STEP: f64 = 2.0;
-/// Pressures over the equivalent modulus that may have evidence.
+/// Pressures over the equivalent modulus that are searched.
 const LIGHTEST: f64 = 1e-15;
 const HEAVIEST: f64 = 1.0;
 const MOST_STEPS: usize = 60;
@@ -41,7 +41,7 @@ impl<M: Answering> BestContact<M> {
         })
     }
 
-    /// The mean pressure at a separation; `None` outside of the solved ones.
+    /// The mean pressure at a separation; `None` at one that no pressure is expected to have.
     pub(super) fn pressure_at(&self, separation: Separation) -> Option<f64> {
         let unit = SeparationUnit::Metres;
         let gap = separation.measured_in(unit, Datum::SurfaceMean, &self.scene).ok()?.value;

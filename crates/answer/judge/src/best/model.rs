@@ -86,8 +86,8 @@ impl<M> Best<M> {
     }
 
     /// The same at a point of ranges, if it is one: an interval that is not known is there presumed
-    /// as that at the nearest solved surface, so that the ends of all points go over into each
-    /// other.
+    /// as that at the nearest solved surface, so that ends do not jump between
+    /// points.
     #[must_use]
     pub fn within_ranges(self, within_ranges: bool) -> Self {
         Self { within_ranges, ..self }
@@ -128,7 +128,7 @@ impl<M: Send + Sync> Described for Best<M> {
             // Where adhesion matters a model of its range answers.
             adhesive: true,
             tabor: Some([0.0, f64::INFINITY]),
-            valid_for: "what is known best: boundary elements on surfaces like this, else a valid model",
+            valid_for: "what is known best: boundary elements on surfaces like this or the nearest to it, else a valid model",
             ..Validity::default()
         }
     }

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::contact::{BestContact, Known, Source};
 use super::model::{Answering, Best};
 use crate::evidence::{Compared, ExpectedContact};
+use crate::recommended::usual_reference;
 use asperity_core::{At, Code, Finding};
 
 /// Elastic bodies that hardly yield, as of rubber, have a lower modulus \[Pa\].
@@ -44,7 +45,10 @@ impl<M: Answering> BestContact<M> {
             }
             let is_light = |one: &ExpectedContact| one.extrapolated && one.outside.is_none();
             if place.expected.as_ref().is_ok_and(is_light) {
-                let fact = "the load is below the lightest solved one, whose ratios to the nearest model are kept";
+                let usual = usual_reference(&self.scene);
+                let fact = format!(
+                    "the load is below the lightest solved one, whose ratios to {usual} are kept"
+                );
                 add(note(Code::Extrapolated, "load").fact(fact));
             }
             let mut open: BTreeMap<String, (&str, BTreeSet<Compared>)> = BTreeMap::new();

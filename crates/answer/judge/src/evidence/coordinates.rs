@@ -8,15 +8,16 @@ use asperity_core::{
     ContactError, HeightDistribution, Interface, ProfileMoments, Scene, Surface, positive, short,
 };
 
-/// Scenes farther than this factor beyond the solved range have no evidence. The intervals hold the
-/// values of single scans with an alpha of 2.71, where 3.117 is solved.
+/// Scenes farther than this factor beyond the solved range have no interval, and values at this
+/// limit. The intervals hold the values of single scans with an alpha of 2.71, where 3.117 is
+/// solved.
 const BEYOND: f64 = 1.16;
 /// ... and plasticity indices, which determine how much yields, beyond this one.
 const BEYOND_INDEX: f64 = 1.05;
-/// Ratios of models to boundary elements are extrapolated to loads lighter by this factor: below,
-/// the models themselves differ in how they change.
+/// Intervals are kept down to loads lighter by this factor than the lightest solved one: below,
+/// models differ in how they change.
 const LIGHTER: f64 = 30.0;
-/// Skewnesses farther than this beyond the solved ones have no evidence.
+/// Skewnesses farther than this beyond the solved ones have no interval.
 const BEYOND_SKEWNESS: f64 = 0.2;
 /// Asperities in contact for each patch of at least 12 pixels: 1.6 to 2.6 at α of 45 to 2.8.
 const CONTACTS_PER_PATCH: f64 = 2.0;
@@ -215,8 +216,9 @@ impl Evidence {
         let slopes = range(|place| place.shape.slope_ratio);
         let too_light = (place.load * LIGHTER < lightest).then(|| {
             let reason = format!(
-                "p/(E g) = {:.1e}; solved down to {lightest:.0e}, and extrapolated to a load {LIGHTER} times lighter",
-                place.load
+                "p/(E g) = {:.1e}; solved from {lightest:.0e}, with intervals from {:.1e}",
+                place.load,
+                lightest / LIGHTER
             );
             ("p/(E g)", reason)
         });

@@ -61,9 +61,10 @@ pub struct Estimate {
     pub value: f64,
     /// Ends of the interval, if it is known.
     pub ends: Option<[f64; 2]>,
-    /// The ends where it is not: beyond solved surfaces as at the nearest of them.
+    /// The ends where it is not: beyond solved surfaces as at the nearest of them, at most a factor
+    /// of 1.5 away.
     #[serde(skip)]
-    pub presumed: [f64; 2],
+    pub presumed: Option<[f64; 2]>,
 }
 
 impl ExpectedContact {
@@ -80,7 +81,8 @@ impl ExpectedContact {
         if let Some(outside) = &self.outside {
             return outside.clone();
         }
-        let hurst = self.hurst.filter(|_| quantity != Compared::Area && self.is_rough());
+        let is_rough = quantity != Compared::Area && is_rough(self.alpha, self.hurst);
+        let hurst = self.hurst.filter(|_| is_rough);
         let reason = match (hurst, self.contacts) {
             (Some(hurst), _) => {
                 let what = if quantity == Compared::MeanGap { "the gap" } else { "stiffness" };
@@ -90,30 +92,18 @@ impl ExpectedContact {
                 )
             }
             _ if self.pressure_over_hardness > highest => format!(
-                "it is interpolated up to {highest} H, and the pressure is {} H; the ratio to a model there is kept",
+                "values are interpolated up to {highest} H, and the pressure is {} H; the ratio to a model at the former is kept",
                 short(self.pressure_over_hardness)
             ),
             (_, few) if few < 1.0 => format!("less than one asperity touches ({})", short(few)),
             (_, few) if few < FEWEST => {
                 format!("with {few:.1} contacts, the scatter between surfaces is too large")
             }
-            _ => "it would exceed a factor of 1.5".into(),
+            _ => "the interval would exceed a factor of 1.5".into(),
         };
         (quantity.name(), reason)
     }
 
-    /// Whether the spectrum is broad, with more short waves than solved surfaces have.
-    fn is_rough(&self) -> bool {
-        is_rough(self.alpha, self.hurst)
-    }
-
-    /// Whether the values hold for the Hurst exponent of the solved surfaces only.
-    pub(crate) fn needs_hurst(&self) -> bool {
-        self.alpha > BROAD && self.hurst.is_none()
-    }
-}
-
-impl ExpectedContact {
     /// The surface and what stands behind the estimate: `alpha 8, psi 2; boundary elements on 16
     /// surfaces`.
     #[must_use]
@@ -125,7 +115,8 @@ impl ExpectedContact {
             false => text += ", elastic",
         }
         text.extend(self.shape.differences().into_iter().map(|part| format!(", {part}")));
-        let hurst = if self.needs_hurst() { ", for a Hurst exponent near 0.8" } else { "" };
+        let is_open = self.alpha > BROAD && self.hurst.is_none();
+        let hurst = if is_open { ", for a Hurst exponent near 0.8" } else { "" };
         format!("{text}; boundary elements on {} surfaces{hurst}", self.surfaces)
     }
 }
@@ -213,25 +204,26 @@ impl Evidence {
             let found = self.interval(solved, &place)?;
             let is_known =
                 outside.is_none() && (quantity == Compared::Area || !is_rough(place.alpha, hurst));
-            let of = |x: f64| unit * x.max(least);
+            let most = if quantity == Compared::Area { 1.0 } else { f64::INFINITY };
+            let of = |x: f64| unit * x.max(least).min(most);
             let ends = found.ends.filter(|_| is_known).map(|ends| ends.map(of));
-            let presumed = found.presumed.map(of);
+            let presumed = found.presumed.map(|ends| ends.map(of));
             Some((quantity, Estimate { value: of(found.value), ends, presumed }))
         };
         let mut values: Vec<_> = quantities.iter().filter_map(estimate).collect();
         unload_stiffer(&mut values);
-        let extrapolated = load.total_cmp(&own.load).is_ne();
-        let how = match extrapolated {
-            true => "the ratio to a model there is kept",
+        let how = |property: &str| match ["p/(E g)", "p/H"].contains(&property) {
+            true => "the ratio to a model at the nearest end is kept",
             false => "taken at the nearest end",
         };
-        let outside = outside.map(|(property, reason)| (property, format!("{reason}; {how}")));
+        let outside =
+            outside.map(|(property, reason)| (property, format!("{reason}; {}", how(property))));
         Ok(ExpectedContact {
             alpha: own.alpha,
             plasticity_index: own.index,
             shape: own.shape,
             pressure: load * unit,
-            extrapolated,
+            extrapolated: load.total_cmp(&own.load).is_ne(),
             outside,
             surfaces: self.surfaces_near(&place),
             values,
@@ -265,9 +257,9 @@ fn unload_stiffer(values: &mut [(Compared, Estimate)]) {
     let of = |wanted: Compared| move |(quantity, _): &(Compared, Estimate)| *quantity == wanted;
     let Some((_, least)) = values.iter().copied().find(of(Compared::Stiffness)) else { return };
     for (_, found) in values.iter_mut().filter(|found| of(Compared::UnloadingStiffness)(found)) {
-        let least_ends = least.ends.unwrap_or(least.presumed);
+        let least_ends = least.ends.or(least.presumed).unwrap_or([least.value; 2]);
         let stiffer = |ends: [f64; 2]| [0, 1].map(|k| ends[k].max(least_ends[k]));
         found.value = found.value.max(least.value);
-        (found.ends, found.presumed) = (found.ends.map(stiffer), stiffer(found.presumed));
+        (found.ends, found.presumed) = (found.ends.map(stiffer), found.presumed.map(stiffer));
     }
 }

@@ -44,10 +44,11 @@ impl Evidence {
         let place = &followed(quantity, place);
         let [middle, deviation] = self.process(quantity)?.at(place);
         let half = COVERAGE * deviation.hypot(scatter(quantity, place));
-        let [value, low, high] =
-            [middle, middle - half, middle + half].map(|x| of_logarithm(quantity, place, x));
-        let ends = (half <= WIDEST).then_some([low, high]);
-        Some(Estimate { value, ends, presumed: [low, high] })
+        let of = |x: f64| of_logarithm(quantity, place, x);
+        let widest = half.min(WIDEST);
+        let presumed = [of(middle - widest), of(middle + widest)];
+        let ends = (half <= WIDEST).then_some(presumed);
+        Some(Estimate { value: of(middle), ends, presumed: Some(presumed) })
     }
 
     /// The surface through the cases of a table.

@@ -372,7 +372,9 @@ fn beyond_what_was_solved_values_are_nearer_than_models() {
             println!(
                 "{name}, {quantity:?}: median and largest {own:.3?}, of ke or gw {models:.3?}"
             );
-            assert!(own[0] < wanted, "{name}, {quantity:?}: {own:?}");
+            // KE is within 1 % of areas where all is plastic.
+            let is_near = own[0] < wanted && (own[0] < models[0] || own[0] < 0.03);
+            assert!(is_near, "{name}, {quantity:?}: {own:?} {models:?}");
         }
     }
 }

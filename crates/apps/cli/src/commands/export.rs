@@ -13,7 +13,7 @@ use crate::input::args::{EndArgs, model_id};
 use crate::input::distances::{Length, metre, warn_unit};
 use crate::input::lists::{Span, range, range_or_list};
 use crate::input::numbers::{load, number, pressure, share_above_0};
-use crate::input::usage_error;
+use crate::input::{usage_error, valid};
 use crate::interrupt::Terminal;
 use crate::output;
 use crate::scene::LoadedScene;
@@ -112,6 +112,7 @@ impl ExportCommand {
             };
             usage_error("export", ErrorKind::MissingRequiredArgument, text);
         }
+        valid("export", self.format.check(self.conductance));
         let scene = LoadedScene::load(&self.scene, std::slice::from_ref(&self.model))?;
         let mut scene = scene.taken_at(&self.end)?;
         if self.solve {
