@@ -1,7 +1,7 @@
 //! What is known best about a scene at loads, in the lines that a reader needs.
 
 use asperity::{
-    At, Best, BestContact, Code, Compared, ContactEngine, Datum, Described, Model, Other, Quantity,
+    At, Best, BestContact, Compared, ContactEngine, Datum, Described, Model, Other, Quantity,
     Request, Separation, SeparationUnit, Source, Tolerance, usual_reference,
 };
 use asperity_scene::{INTERFACE, SceneFile, Shape};
@@ -141,10 +141,6 @@ impl Answer {
             let found = at.measured_in(SeparationUnit::Metres, Datum::SurfaceMean, &file.scene);
             Some(found.ok()?.value)
         };
-        let without = sheet.rows.iter().find_map(|row| row[metres].reason());
-        if let Some(text) = without.map(|reason| format!("no mean gap: {reason}")) {
-            sheet.warn(Code::NoValue, text);
-        }
         for row in &mut sheet.rows {
             row.push(row[metres].map(mean_gap));
             row.drain(metres - 1..=metres);

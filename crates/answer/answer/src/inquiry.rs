@@ -226,6 +226,13 @@ impl<'s> Inquiry<'s> {
                     let opening = if id == JKR && opens(reason) { OPENING } else { "" };
                     blanks.count(&what, kind(reason), reason_alone(model.id(), reason) + opening);
                 }
+                // Other models say so where they have none at all.
+                if let Err(reason) = &line.separation[1]
+                    && answered
+                    && id == Best::<Model>::ID
+                {
+                    blanks.count("separation", kind(reason), reason_alone(model.id(), reason));
+                }
                 deliver(sheet, self.place(id, &line), line);
             }
             found.of_places.extend(warnings);

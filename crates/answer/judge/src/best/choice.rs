@@ -71,11 +71,21 @@ impl<M: Answering> BestContact<M> {
     ) -> Result<(&Candidate<M>, f64, Option<Finding>), ContactError> {
         let place = self.place(at);
         let (mut invalid, mut refused, mut failed) = (None, None, None);
+        // At a hardness all of the area carries what it can; values have an error.
+        let hardness = self.scene.asperity()?.hardness;
+        let carried = hardness.zip(at.pressure(&self.scene));
+        let least = carried.map_or(0.0, |(hardness, pressure)| 0.99 * pressure / hardness);
         for (one, judged) in self.candidates(&place.judged, at) {
             match (one.value(of, at), &judged.outside) {
                 (Ok(gap), _) if of == Compared::MeanGap && gap < 0.0 => {
                     let id = one.model.id();
                     let why = format!("the mean gap by {id} is below 0, which cannot be");
+                    refused.get_or_insert_with(|| self.refused(why));
+                }
+                (Ok(area), _) if of == Compared::Area && area < least => {
+                    let id = one.model.id();
+                    let why =
+                        format!("the area by {id} is below load over hardness, which cannot be");
                     refused.get_or_insert_with(|| self.refused(why));
                 }
                 (Ok(value), None) => return Ok((one, value, None)),

@@ -21,7 +21,7 @@ impl<M: Answering> BestContact<M> {
         pressure: f64,
     ) -> Result<Option<Known>, ContactError> {
         let (largest, what) = self.largest_pressure()?;
-        if pressure > largest {
+        if pressure >= largest * (1.0 - ROUNDED) {
             let ratio = short(pressure / largest);
             let why =
                 format!("the mean pressure is {ratio} times the {what}, which no contact carries");
@@ -50,7 +50,10 @@ impl<M: Answering> BestContact<M> {
             Some(kept) if anchor.pressure != Some(pressure) => {
                 Ok(Some(Known { ends: None, ..kept }))
             }
-            kept => Ok(kept),
+            Some(kept) => Ok(Some(kept)),
+            None => {
+                Err(self.refused("no model tells how it changes beyond the solved loads".into()))
+            }
         }
     }
 

@@ -78,7 +78,7 @@ pub(super) fn yields(model: &dyn ContactModel, at: At, share: f64) -> Option<Fin
     let found = warning((model, at), Code::Yields, "yielding_share", share)
         .severity(severity)
         .usual([0.0, YIELDS[0]])
-        .fact(format!("{carriers} carry {} % of the force", short(100.0 * share)))
+        .fact(format!("{carriers} carry {} % of the force", short(100.0 * share.min(1.0))))
         .advice(format!("{} ignores yielding{chance}{others}", model.id()));
     let found = if adhesive { found } else { found.to_do(Advice::UseModels(YIELDING)) };
     (share > YIELDS[0]).then_some(found)
