@@ -6,7 +6,7 @@ use asperity::{
 };
 use xtask::figures::models::scene;
 
-const README: &str = include_str!("../../crates/models/at/README.md");
+const CHAPTER: &str = include_str!("../../crates/apps/web/guide/models.md");
 const QUANTITIES: [Quantity; 3] = [Quantity::Force, Quantity::Area, Quantity::Stiffness];
 
 /// Force, area and stiffness at d = 0 to 4 σ_z on the surface of figures 5, 7 and 9.
@@ -16,7 +16,7 @@ fn values(model: &dyn ContactModel) -> [Vec<f64>; 3] {
     QUANTITIES.map(|quantity| answer.values(quantity).unwrap())
 }
 
-/// The README's row of a reading and an angle density: ratios to KE, and which claims hold.
+/// The chapter's row of a reading and an angle density: ratios to KE, and which claims hold.
 fn row(reading: AtReading, angle_density: AngleDensity, ke: &[Vec<f64>; 3]) -> String {
     let options = LateralOptions { angle_density, ..LateralOptions::default() };
     let at = values(&AminiTehrani { reading, options });
@@ -39,13 +39,13 @@ fn row(reading: AtReading, angle_density: AngleDensity, ke: &[Vec<f64>; 3]) -> S
         stiffness.iter().all(|ratio| apart(ratio) < 0.25),
         rises,
     ];
-    assert!(holds.contains(&false), "one reading satisfies all claims: the README says none");
+    assert!(holds.contains(&false), "one reading satisfies all claims: the chapter says none");
     let holds = holds.map(|holds| if holds { "yes" } else { "no" }).join(" | ");
     format!("| {} | {holds} |", shown.join(" | "))
 }
 
 #[test]
-fn the_readme_holds_the_claims_of_the_paper_against_every_reading() {
+fn the_guide_holds_the_claims_of_the_paper_against_every_reading() {
     let uniform = AngleDensity::Harmonic { a20: 0.0, a21: 0.0, b21: 0.0 };
     let densities = [
         ("harmonic", AngleDensity::default()),
@@ -63,7 +63,7 @@ fn the_readme_holds_the_claims_of_the_paper_against_every_reading() {
             table += &format!("| {name}, {density} {}\n", row(reading, angle_density, &ke));
         }
     }
-    assert!(README.contains(&table), "the README's table is another:\n{table}");
+    assert!(CHAPTER.contains(&table), "the chapter's table is another:\n{table}");
 }
 
 #[test]
