@@ -19,7 +19,8 @@ def test_an_answer_is_that_of_the_model_best_and_lies_between_its_ends() -> None
         # No contact carries 3 MPa on the elastomer, and from 80 kPa the gap of models is below 0.
         pressures = [1e4, 5e4] if "elastomer" in path.name else [1e5, 3e6]
         has_gap = scene.heights == "gaussian"
-        with nullcontext() if has_gap else pytest.warns(asperity.ContactWarning, match="mean gap"):
+        lacks_gap = pytest.warns(asperity.ContactWarning, match="no-value: best: no separation")
+        with nullcontext() if has_gap else lacks_gap:
             answer = scene.answer(asked, pressure=pressures)
         curve = asperity.model("best").solve(scene, pressure=pressures, quantities=asked)
         for quantity in asked:
