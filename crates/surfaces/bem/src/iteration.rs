@@ -26,8 +26,6 @@ use crate::projection::Projection;
 const LEAST_FREE: f64 = 0.01;
 /// Relative rise of the energy that is more than rounding.
 const RISE: f64 = 1e-10;
-/// Largest number of iterations for one load; 15 to 60 are usual.
-const MOST_ITERATIONS: usize = 1000;
 
 /// The problem: heights, bounds of the pressure, and load.
 #[derive(Clone, Copy)]
@@ -93,6 +91,7 @@ pub(crate) struct Goal {
     /// Unit of the residual \[m\].
     pub(crate) scale: f64,
     pub(crate) tolerance: f64,
+    pub(crate) most_iterations: usize,
 }
 
 /// The state at which an iteration ended.
@@ -125,7 +124,7 @@ impl<'a> Iteration<'a> {
                 return Err(BemError::Cancelled);
             }
             let first = cold && iterations == 0;
-            if iterations >= MOST_ITERATIONS
+            if iterations >= goal.most_iterations
                 || !inside(|| iteration.advance(standing, first, space))
             {
                 let required = goal.tolerance;

@@ -43,6 +43,7 @@ pub struct BoundaryElements {
     boundary: Option<Boundary>,
     hardness: Option<f64>,
     tolerance: f64,
+    most_iterations: usize,
 }
 
 impl BoundaryElements {
@@ -58,6 +59,7 @@ impl BoundaryElements {
             boundary: None,
             hardness: None,
             tolerance: 1e-8,
+            most_iterations: 1000,
         })
     }
 
@@ -92,6 +94,13 @@ impl BoundaryElements {
         Ok(self)
     }
 
+    /// Largest number of iterations for one load; 1000 by default, 15 to 60 are usual.
+    #[must_use]
+    pub fn most_iterations(mut self, most_iterations: usize) -> Self {
+        self.most_iterations = most_iterations;
+        self
+    }
+
     pub(crate) fn with_map(&self, map: HeightMap) -> Self {
         Self { map, ..self.clone() }
     }
@@ -115,7 +124,7 @@ impl BoundaryElements {
     }
 
     pub(crate) fn goal(&self, scale: f64) -> Goal {
-        Goal { scale, tolerance: self.tolerance }
+        Goal { scale, tolerance: self.tolerance, most_iterations: self.most_iterations }
     }
 
     pub(crate) fn map(&self) -> &HeightMap {

@@ -47,6 +47,11 @@ fn loads() {
     }
     let highest = solver.solve(LoadCase::MeanPressure(1e-3 * UNIT)).unwrap().mean_gap * 100.0;
     refused(solver.solve(LoadCase::MeanGap(highest)), "nothing touches");
+    let hasty = solver.most_iterations(3);
+    let error = hasty.solve(LoadCase::MeanPressure(0.1 * UNIT)).unwrap_err();
+    assert!(
+        matches!(error, BemError::NotConverged { iterations: 3, residual, .. } if residual > 1e-8)
+    );
 }
 
 #[test]

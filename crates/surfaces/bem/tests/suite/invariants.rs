@@ -141,9 +141,8 @@ fn soft_and_hard_extremes_end_quickly() {
     for (hardness, share) in
         [(1e-4, 3.3e-5), (1e-4, 0.99e-4), (0.1, 0.099), (3.0, 1.5), (1e3, 1e-7), (1e3, 20.0)]
     {
-        let solver = elastic.clone().hardness(hardness * UNIT).unwrap();
+        let solver = elastic.clone().hardness(hardness * UNIT).unwrap().most_iterations(80);
         let solution = solver.solve(LoadCase::MeanPressure(share * UNIT)).unwrap();
         close(solution.mean_pressure, share * UNIT, 1e-10);
-        assert!(solution.iterations <= 80, "{hardness} {share}: {}", solution.iterations);
     }
 }
