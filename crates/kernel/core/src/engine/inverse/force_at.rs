@@ -260,9 +260,14 @@ impl CachedFalls {
 fn same_heights(a: &Scene, b: &Scene) -> bool {
     let std = |scene: &Scene| scene.surface.asperity_height_std.to_bits();
     std(a) == std(b)
-        && match (a.heights.sampled(1.0), b.heights.sampled(1.0)) {
-            (Some((a, _)), Some((b, _))) => Arc::ptr_eq(a, b),
-            (None, None) => a.heights.name() == b.heights.name(),
+        && match (&a.heights, &b.heights) {
+            // Scenes of one range have heights of their own.
+            (HeightDistribution::Weibull(a), HeightDistribution::Weibull(b)) => {
+                a.shape().to_bits() == b.shape().to_bits()
+            }
+            (HeightDistribution::Other(a), HeightDistribution::Other(b)) => Arc::ptr_eq(a, b),
+            (HeightDistribution::Gaussian, HeightDistribution::Gaussian)
+            | (HeightDistribution::Exponential, HeightDistribution::Exponential) => true,
             _ => false,
         }
 }
