@@ -1,11 +1,10 @@
 //! What adhesion adds to answers by solved surfaces, which do not adhere.
 
 use super::model::Answering;
+use crate::check::{LEAST_TABOR, MOST_TABOR};
 use crate::recommended::{DMT, JKR};
 use asperity_core::{At, Contact, Quantity, Request, Scene, short};
 
-/// Tabor's parameter between the models with adhesion.
-const BETWEEN: f64 = 0.7;
 /// The model without adhesion that both extend.
 const PLAIN: &str = "gw";
 /// A relative change of the area that intervals do not count.
@@ -23,7 +22,8 @@ impl Adhesion {
     /// None without a work of adhesion.
     pub(super) fn on<M: Answering>(scene: &Scene) -> Option<Self> {
         let tabor = scene.asperity().ok()?.tabor_parameter()?;
-        let id = if tabor > BETWEEN { JKR } else { DMT };
+        // Between their limits the nearer model.
+        let id = if tabor * tabor > LEAST_TABOR * MOST_TABOR { JKR } else { DMT };
         let asked = Request::new([Quantity::Area]).at([At::Pressure(1.0)]);
         let contact = |id: &str| id.parse::<M>().ok()?.contact(scene, &asked).ok();
         Some(Self { id, adhering: contact(id)?, plain: contact(PLAIN)? })

@@ -71,7 +71,7 @@ impl<M: Answering> BestContact<M> {
     ) -> Result<(&Candidate<M>, f64, Option<Finding>), ContactError> {
         let place = self.place(at);
         let (mut invalid, mut refused, mut failed) = (None, None, None);
-        // At a hardness all of the area carries what it can; values have an error.
+        // An area carries the hardness at most, to the error of a model by one per cent.
         let hardness = self.scene.asperity()?.hardness;
         let carried = hardness.zip(at.pressure(&self.scene));
         let least = carried.map_or(0.0, |(hardness, pressure)| 0.99 * pressure / hardness);

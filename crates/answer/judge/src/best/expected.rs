@@ -1,7 +1,8 @@
 //! What boundary elements are expected to give, also beyond the loads that were solved.
 
 use super::candidates::{Candidate, SharedPlace};
-use super::contact::{BestContact, Known, ROUNDED, Source};
+use super::contact::{BestContact, ROUNDED};
+use super::known::{Known, Source};
 use super::model::Answering;
 use crate::evidence::{Compared, Estimate, ExpectedContact};
 use asperity_core::{At, ContactError, short};
@@ -113,7 +114,7 @@ impl<M: Answering> BestContact<M> {
         at: &ExpectedContact,
         pressure: f64,
     ) -> Option<&Candidate<M>> {
-        // Gaps change as the stiffness tells.
+        // The stiffness gives the change of the gap.
         let of = if of == Compared::MeanGap { Compared::Stiffness } else { of };
         // Under light loads models of asperities change alike: one does not give way to another.
         let usual = || self.usual().filter(|one| one.value(of, At::Pressure(pressure)).is_ok());

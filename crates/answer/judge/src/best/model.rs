@@ -128,7 +128,7 @@ impl<M: Send + Sync> Described for Best<M> {
             // Where adhesion matters a model of its range answers.
             adhesive: true,
             tabor: Some([0.0, f64::INFINITY]),
-            valid_for: "what is known best: boundary elements on surfaces like this or the nearest to it, else a valid model",
+            valid_for: "what is known best: boundary elements on surfaces like this one or nearest to it, else a valid model",
             ..Validity::default()
         }
     }

@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::contact::{BestContact, Known, Source};
+use super::contact::BestContact;
+use super::known::{Known, Source};
 use super::model::{Answering, Best};
 use crate::evidence::{Compared, ExpectedContact};
 use crate::recommended::usual_reference;

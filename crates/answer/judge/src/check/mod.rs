@@ -99,8 +99,8 @@ impl Check {
 }
 
 /// Largest Tabor parameter of DMT, and smallest of JKR.
-const LEAST_TABOR: f64 = 0.1;
-const MOST_TABOR: f64 = 5.0;
+pub(crate) const LEAST_TABOR: f64 = 0.1;
+pub(crate) const MOST_TABOR: f64 = 5.0;
 
 /// Numbers that may be outside the range of anything in use.
 pub trait Plausible {

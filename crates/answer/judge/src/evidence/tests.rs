@@ -80,21 +80,21 @@ fn boundary_elements_are_met_where_they_were_solved_and_models_need_no_table() {
 #[test]
 fn outside_there_are_no_intervals() {
     let evidence = Evidence::committed().unwrap();
-    let open = |found: ExpectedContact| {
+    let reason_without = |found: ExpectedContact| {
         assert!(found.values.iter().all(|(_, one)| one.ends.is_none()), "{found:?}");
         found.undetermined(Compared::Area).1
     };
-    let refused = |alpha: f64, index: f64, load: f64| {
-        open(evidence.expected(&scene(alpha, index), None, load * unit(), None).unwrap())
+    let outside = |alpha: f64, index: f64, load: f64| {
+        reason_without(evidence.expected(&scene(alpha, index), None, load * unit(), None).unwrap())
     };
     let mut said = vec![
-        refused(1.6, 2.0, 0.01),
-        refused(200.0, 2.0, 0.01),
-        refused(8.0, 15.9, 0.01),
-        refused(8.0, 17.0, 0.01),
-        refused(8.0, 2.0, 0.7),
-        refused(3.2, 5.5, 0.3),
-        refused(8.0, 2.0, 1e-7),
+        outside(1.6, 2.0, 0.01),
+        outside(200.0, 2.0, 0.01),
+        outside(8.0, 15.9, 0.01),
+        outside(8.0, 17.0, 0.01),
+        outside(8.0, 2.0, 0.7),
+        outside(3.2, 5.5, 0.3),
+        outside(8.0, 2.0, 1e-7),
     ];
     // Ratios are constant under loads below all solved ones.
     let light = evidence.expected(&scene(8.0, 2.0), None, 5e-7 * unit(), None).unwrap();
@@ -109,7 +109,7 @@ fn outside_there_are_no_intervals() {
     assert!(found.basis().contains(", psi 2, skewness -0.9; boundary"), "{}", found.basis());
     let shape = SurfaceShape::new(-4.0, [1.0, 1.0]);
     let found = evidence.expected(&exponential, Some(shape), 0.01 * unit(), None).unwrap();
-    said.push(open(found));
+    said.push(reason_without(found));
     insta::assert_snapshot!(said.join("\n"));
 }
 
@@ -330,7 +330,7 @@ fn gaps_fall_as_the_stiffness_tells() {
 fn beyond_what_was_solved_values_are_nearer_than_models() {
     let evidence = Evidence::with_models().unwrap();
     type Kind = (&'static str, fn(&Coordinates) -> bool, [f64; 4]);
-    // Largest medians of the differences from what was solved: logarithms, and gaps over Sq.
+    // Limits of the medians: logarithms of ratios to what was solved, and gaps less it over Sq.
     let kinds: [Kind; 5] = [
         ("alpha above 100", |place| place.alpha > 100.0, [0.02, 0.10, 0.12, 0.05]),
         ("alpha above 50", |place| place.alpha > 50.0, [0.04, 0.10, 0.10, 0.07]),

@@ -118,14 +118,9 @@ fn a_scan_and_a_set_add() {
     let set = "m0 = 1e-14\nm2 = 5e-4\nm4 = 1e9";
     let sum = of(&format!("[surface.counterface]\n{set}")).unwrap();
     let own = &alone.measured.as_ref().unwrap().statistics;
-    is(
-        &sum.scene.surface,
-        asperities([
-            own.moments.profile.m0 + 1e-14,
-            own.moments.profile.m2 + 5e-4,
-            own.moments.profile.m4 + 1e9,
-        ]),
-    );
+    let ProfileMoments { m0, m2, m4 } = own.moments.profile;
+    let both = asperities([m0 + 1e-14, m2 + 5e-4, m4 + 1e9]);
+    is(&sum.scene.surface, both);
     let of_sum = &sum.measured.as_ref().unwrap().statistics;
     near(
         of_sum.ssk * of_sum.moments.profile.m0.powf(1.5),
@@ -135,14 +130,7 @@ fn a_scan_and_a_set_add() {
     let turned =
         scene(folder.path(), &format!("{set}\n[surface.counterface]\nfile = \"a.txt\"\n{READ}"));
     let turned = turned.unwrap();
-    is(
-        &turned.scene.surface,
-        asperities([
-            own.moments.profile.m0 + 1e-14,
-            own.moments.profile.m2 + 5e-4,
-            own.moments.profile.m4 + 1e9,
-        ]),
-    );
+    is(&turned.scene.surface, both);
     assert!(sum.bem().is_err());
     // The path of the second scan is absolute, so that the text is valid in any folder.
     let again = parse(&turned.to_toml().unwrap(), Path::new("/")).unwrap();
