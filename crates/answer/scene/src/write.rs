@@ -10,7 +10,6 @@ use crate::input::OWN;
 use crate::keys::{BODY, Field, Key, joined, keys_of};
 use crate::materials::Material;
 use crate::read::scene_file;
-use crate::roughness::{Roughness, Way};
 use crate::scans::Asked;
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SurfaceSpec};
@@ -39,7 +38,10 @@ impl SceneFile {
     pub fn to_toml(&self) -> Result<String, SceneError> {
         let spec = &self.spec;
         let mut top = spec.bodies.keys();
-        let mut surface = self.surface_keys();
+        let mut surface = spec.surface.keys();
+        let word = spec.is_smooth.then(|| "smooth".into());
+        let second = spec.counterface.as_ref().map(|second| second.keys().into()).or(word);
+        surface.extend(second.map(|second| ("counterface".into(), second)));
         surface.extend(self.heights_key()?.map(|key| ("heights".into(), key)));
         if spec.separation_from == Datum::SurfaceMean {
             surface.insert("separation_from".into(), "surface-mean".into());
@@ -83,32 +85,6 @@ impl SceneFile {
         top.extend(keys);
         let text = top.to_string();
         scene_file(&Document::new(None, Files::Nowhere, &text)?, Asked::Asperities)
-    }
-
-    /// The keys of `[surface]` of a surface that three numbers of its own do not describe: known
-    /// within ranges, beside a counterface, or given with a plasticity index.
-    #[must_use]
-    pub fn keys_beyond_numbers(&self) -> Option<Table> {
-        let has_scan = self.spec.surfaces().any(|(_, one)| one.scan().is_some());
-        let by_index = |one: Roughness| one.way == Way::PlasticityIndex;
-        let is_drawn = self.spec.surface.drawing().is_some();
-        let is_beyond = is_drawn
-            || self.spec.counterface.is_some()
-            || self.spec.surface.roughness().is_some_and(by_index);
-        (is_beyond && !has_scan).then(|| self.surface_keys())
-    }
-
-    /// The keys that describe both surfaces, but for the heights and the plane of separations.
-    fn surface_keys(&self) -> Table {
-        let (first, second) = (&self.spec.surface, self.spec.counterface.as_ref());
-        let mut keys = first.keys();
-        let Some(second) = second else {
-            let word = self.spec.is_smooth.then(|| ("counterface".into(), "smooth".into()));
-            keys.extend(word);
-            return keys;
-        };
-        keys.insert("counterface".into(), second.keys().into());
-        keys
     }
 
     /// `heights`; none of Gaussian ones.

@@ -79,7 +79,6 @@ def test_a_scene_with_curved_bodies_is_written_copied_and_known_within_ranges(
 ) -> None:
     assert asperity.Scene.parse(ball.to_toml()) == ball == pickle.loads(pickle.dumps(ball))
     assert ball.curvature == {"radius_x": 6.35e-3, "radius_y": 6.35e-3}
-    assert repr(ball).endswith("curvature={'radius_x': 0.00635, 'radius_y': 0.00635})")
     text = re.sub("(?m)^radius_x = [^ \n]*", 'radius_x = ["6 mm", "8 mm"]', ball.to_toml())
     worn = asperity.Scene.parse(text)
     assert worn.at("upper").curvature == {"radius_x": 8e-3, "radius_y": 6.35e-3}

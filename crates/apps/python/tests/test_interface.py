@@ -170,8 +170,30 @@ def test_copies_and_pickles_are_equal(scene: asperity.Scene) -> None:
     )
 
 
-def test_representations_show_the_arguments(scene: asperity.Scene) -> None:
-    assert repr(scene).startswith("Scene(interface=Interface(equivalent_modulus=115384615384.61537")
+@pytest.mark.parametrize(
+    "key",
+    [
+        "[gap]\ngas_conductivity = 0.026\ngas_parameter = 3.7e-7",
+        '[seal]\nwidth = 0.1\nlength = 2e-3\nupstream_pressure = 1e6\ndownstream_pressure = 1e5\ngas = "air"',
+        'surface.counterface = "smooth"',
+        "surface.peklenik_number = 3.0",
+        'surface.separation_from = "surface-mean"',
+        'work_of_adhesion = 0.05',
+    ],
+)
+def test_every_key_is_pickled_and_compared(scene: asperity.Scene, key: str) -> None:
+    text = scene.to_toml()
+    of_surface, is_top = key.removeprefix("surface."), "[" not in key
+    place = "[surface]\n" if of_surface != key else ""
+    with_key = text.replace(place, place + of_surface + "\n", 1) if is_top else f"{text}\n{key}"
+    other = asperity.Scene.parse(with_key)
+    assert other != scene
+    again = pickle.loads(pickle.dumps(other))
+    assert again == other and again.to_toml() == other.to_toml() != text
+
+
+def test_representations_show_the_text(scene: asperity.Scene) -> None:
+    assert repr(scene).startswith('Scene.parse("""\nnominal_area = ')
     assert eval(repr(scene), vars(asperity)) == scene
     assert repr(asperity.model("ke")) == "<asperity.Model 'ke': Kogut & Etsion (2002)>"
     assert repr(asperity.model(Laws)) == "<asperity.Model 'Laws': written in Python>"

@@ -21,7 +21,7 @@ def test_keys_are_kept_and_single_numbers_are_those_in_the_middle() -> None:
     ground = scene(counterface=GROUND)
     assert pickle.loads(pickle.dumps(ground)) == ground  # noqa: S301
     assert asperity.Scene.parse(ground.to_toml()) == ground
-    assert "'finish': 'ground'" in repr(ground)
+    assert 'finish = "ground"' in repr(ground)
     model = asperity.model("ke")
 
     def area(one: asperity.Scene) -> float:

@@ -199,16 +199,6 @@ def _short(given: Any) -> str:
     return f"a {type(given).__name__}" + (f" of shape {shape}" if shape else "")
 
 
-def shown(given: dict[str, Any]) -> str:
-    """The arguments of a scene that differ from the defaults, as text; of a table of heights its size."""
-    usual: dict[str, Any] = {"heights": "gaussian", "separation_from": "asperity-mean"}
-    usual |= {"options": {}, "accept": ()}
-    texts = {name: repr(v) for name, v in given.items() if v is not None and v != usual.get(name)}
-    if isinstance(given["heights"], tuple):
-        texts["heights"] = f"<table of {len(given['heights'][0])} points>"
-    return f"Scene({', '.join(f'{name}={text}' for name, text in texts.items())})"
-
-
 def record(kind: type[Record], found: Mapping[str, Any]) -> Record:
     """The fields of a dataclass from a dict that has more, with tuples in the place of lists."""
     given = {one.name: found[one.name] for one in fields(kind)}  # type: ignore[arg-type]

@@ -212,8 +212,6 @@ def _identity(
     scene: Scene, engines: list[Model], heads: dict[str, str], rtol: float, axis: str, errors: str
 ) -> dict[str, Any]:
     """What the values depend on beside the inputs, for JSON."""
-    arguments = scene._arguments()
-    origins = [getattr(arguments[name], "_origin", None) for name in ("interface", "surface")]
     models = []
     for engine in engines:
         definition = engine._definition
@@ -225,7 +223,7 @@ def _identity(
         models.append([engine.id, repr(engine.options), definition])
     return {
         "asperity": version("asperity"),
-        "scene": hashlib.sha256(repr((arguments, origins)).encode()).hexdigest(),
+        "scene": hashlib.sha256(scene.to_toml().encode()).hexdigest(),
         "models": models,
         "quantities": list(heads),
         "rtol": rtol,

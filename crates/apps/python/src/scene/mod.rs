@@ -292,25 +292,6 @@ impl SceneFile {
         Ok(text)
     }
 
-    /// The arguments of this scene, in the order of the signature.
-    fn _arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let arguments = PyDict::new(py);
-        arguments.set_item("interface", self.interface(py)?)?;
-        let surface = match self.0.keys_beyond_numbers() {
-            Some(keys) => object(py, &keys)?,
-            None => self.surface(py)?,
-        };
-        arguments.set_item("surface", surface)?;
-        arguments.set_item("nominal_area", self.nominal_area().ok())?;
-        arguments.set_item("heights", self.heights(py)?)?;
-        arguments.set_item("separation_from", self.separation_from(py)?)?;
-        arguments.set_item("mean_plane_offset", self.mean_plane_offset())?;
-        arguments.set_item("options", self.options(py)?)?;
-        arguments.set_item("accept", self.accept(py)?)?;
-        arguments.set_item("curvature", self.curvature(py)?)?;
-        Ok(arguments)
-    }
-
     /// The scene in the middle of its ranges, those at points of them, and for each number with a
     /// range whether the points at the ends, which are the first, are at its upper end.
     fn _points(&self) -> PyResult<(Vec<Self>, Uppers)> {
@@ -333,24 +314,16 @@ impl SceneFile {
         asperity::usual_reference(&self.0.scene)
     }
 
-    fn __eq__(&self, other: &Self, py: Python<'_>) -> PyResult<bool> {
-        let alike = self.0.unknowns() == other.0.unknowns();
-        Ok(alike && self._arguments(py)?.eq(other._arguments(py)?)?)
+    fn __eq__(&self, other: &Self) -> PyResult<bool> {
+        Ok(self.to_toml(None)? == other.to_toml(None)?)
     }
 
-    fn __repr__<'py>(&self, py: Python<'py>) -> PyResult<Object<'py>> {
-        py.import("asperity._arguments")?.getattr("shown")?.call1((self._arguments(py)?,))
+    fn __repr__(&self) -> PyResult<String> {
+        Ok(format!("Scene.parse(\"\"\"\n{}\"\"\")", self.to_toml(None)?))
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Object<'py>, Bound<'py, PyTuple>)> {
-        // No argument has the ranges of the numbers of a text.
-        if slf.get().0.unknowns().iter().any(|one| one.status == "given") {
-            let text = slf.get().to_toml(None)?;
-            let parse = slf.get_type().getattr("parse")?;
-            return Ok((parse, PyTuple::new(slf.py(), [text])?));
-        }
-        let arguments = PyTuple::new(slf.py(), slf.get()._arguments(slf.py())?.values())?;
-        Ok((slf.get_type().into_any(), arguments))
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Object<'py>, (String,))> {
+        Ok((slf.get_type().getattr("parse")?, (slf.get().to_toml(None)?,)))
     }
 }
 
