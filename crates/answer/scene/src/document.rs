@@ -14,7 +14,7 @@ use toml::{Spanned, Table, Value};
 
 use crate::error::{Place, Provenance, SceneError};
 use crate::keys::{COUNTERFACE, Key, joined, keys_of, section_and_name};
-use crate::quantity::{ends_of_tolerance, in_si, without_unit};
+use crate::quantity::{both_ends, in_si, without_unit};
 use crate::text_file::shorten;
 use crate::unknown::Unknown;
 
@@ -87,7 +87,7 @@ impl<'a> Document<'a> {
             DeValue::String(text) => match Key::find(section, key).and_then(Key::units) {
                 Some(units) => {
                     let number = in_si(text, key, units).map_err(|hint| {
-                        let ends = || ends_of_tolerance(text);
+                        let ends = || both_ends(text);
                         let hint = Key::may_have_range(path).then(ends).flatten().unwrap_or(hint);
                         let (at, found) = (self.place(path), format!("{:?}", shorten(text)));
                         SceneError::notation(at, &found, &hint)

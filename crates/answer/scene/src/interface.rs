@@ -14,21 +14,13 @@ const EITHER: &str = "either [interface] with the equivalent properties, or the 
 
 /// The bodies of a scene, or their interface.
 pub(crate) fn bodies(document: &Document<'_>) -> Result<Bodies, SceneError> {
+    if document.has("interface") {
+        return equivalent(document).map(Bodies::Interface);
+    }
     let count = document.get::<Vec<Value>>("body")?.map_or(0, |bodies| bodies.len());
     let each = (1..=count).map(|k| body(document, &format!("body[{k}]")));
     let each = each.collect::<Result<Vec<_>, _>>()?;
     let work_of_adhesion = document.get("work_of_adhesion")?;
-    if let Some(interface) = equivalent(document)? {
-        if let Some(other) = ["body", "rigid_counterface"].into_iter().find(|key| document.has(key))
-        {
-            return Err(document.conflict("interface", other, EITHER));
-        }
-        if work_of_adhesion.is_some() {
-            let needed = "work_of_adhesion in [interface], or above the bodies,";
-            return Err(document.conflict("work_of_adhesion", "interface", needed));
-        }
-        return Ok(Bodies::Interface(interface));
-    }
     let is_rigid = document.get("rigid_counterface")? == Some(true);
     let materials = [0, 1].map(|k| each.get(k).and_then(|(_, material)| *material));
     let bodies: Vec<Body> = each.into_iter().map(|(body, _)| body).collect();
@@ -82,15 +74,21 @@ fn body(document: &Document<'_>, section: &str) -> Result<Made, SceneError> {
     Ok((document.read_over(section, &names, keys)?, material))
 }
 
-/// The properties in `[interface]`.
-fn equivalent(document: &Document<'_>) -> Result<Option<Interface>, SceneError> {
-    if !document.has("interface") {
-        return Ok(None);
+/// The properties in `[interface]`, beside which there are no bodies.
+fn equivalent(document: &Document<'_>) -> Result<Interface, SceneError> {
+    for (other, needed) in [
+        ("body", EITHER),
+        ("rigid_counterface", EITHER),
+        ("work_of_adhesion", "work_of_adhesion in [interface], or above the bodies,"),
+    ] {
+        if document.has(other) {
+            return Err(document.conflict("interface", other, needed));
+        }
     }
     let modulus = document.needed_number("interface.equivalent_modulus")?;
     let ratio = document.needed_number("interface.poissons_ratio")?;
     let keys = Table::try_from(Interface::elastic(modulus, ratio)).unwrap_or_default();
-    document.read_over("interface", &keys_of("interface"), keys).map(Some)
+    document.read_over("interface", &keys_of("interface"), keys)
 }
 
 #[cfg(test)]

@@ -169,12 +169,26 @@ fn vickers(number: f64, scale: &str) -> Result<f64, String> {
     })
 }
 
-/// What to write instead of a number with a tolerance, `2 GPa +- 10 %`: both ends, in brackets.
+/// What to write instead of a number with a tolerance, `2 GPa +- 10 %`, or of a range in one text,
+/// `1.8-2.2 GPa`: both ends, in brackets.
 ///
 /// ```text
 /// has a tolerance: write both ends, ["1.8 GPa", "2.2 GPa"]
 /// ```
-pub(crate) fn ends_of_tolerance(text: &str) -> Option<String> {
+pub(crate) fn both_ends(text: &str) -> Option<String> {
+    let (what, ends, unit) = tolerance(text).or_else(|| range(text))?;
+    let end = |value: f64| match &*unit {
+        "" => short(value),
+        unit => format!("\"{} {unit}\"", short(value)),
+    };
+    let [lower, upper] = ends.map(end);
+    Some(format!("{what}: write both ends, [{lower}, {upper}]"))
+}
+
+/// What a text is, its ends and their unit.
+type Ends = (&'static str, [f64; 2], String);
+
+fn tolerance(text: &str) -> Option<Ends> {
     let signs = ["+/-", "+-", "\u{b1}"];
     let (number, tolerance) = signs.into_iter().find_map(|sign| text.split_once(sign))?;
     let ((number, unit), (by, of)) = (leading(number)?, leading(tolerance)?);
@@ -186,12 +200,18 @@ pub(crate) fn ends_of_tolerance(text: &str) -> Option<String> {
         (one, other) if one == other => (by, unit),
         _ => return None,
     };
-    let end = |value: f64| match &*unit {
-        "" => short(value),
-        unit => format!("\"{} {unit}\"", short(value)),
+    Some(("has a tolerance", [number - by, number + by], unit))
+}
+
+fn range(text: &str) -> Option<Ends> {
+    let between = |sign: &str| {
+        let ends = |(k, _)| leading(&text[..k]).zip(leading(&text[k + sign.len()..]));
+        let mut found = text.match_indices(sign).filter_map(ends);
+        found.find(|((_, of), (_, unit))| of.is_empty() || of == unit)
     };
-    let [lower, upper] = [number - by, number + by].map(end);
-    Some(format!("has a tolerance: write both ends, [{lower}, {upper}]"))
+    let ((lower, _), (upper, unit)) =
+        ["...", "..", " to ", "\u{2013}", "-"].into_iter().find_map(between)?;
+    Some(("is a range", [lower.parse().ok()?, upper.parse().ok()?], unit))
 }
 
 /// A number with one of the units.

@@ -5,7 +5,7 @@ use asperity_answer::{Basis, NO_EVIDENCE, basis};
 use asperity_scene::{SceneFile, Unknown};
 use serde_json::{Value, json};
 
-use crate::answer::{Column, Known, Row, Source, quantities};
+use crate::answer::{Column, Known, Row, quantities};
 use crate::labels::{raised, term};
 use crate::shown::{interval, percent, shown};
 use crate::span::Load;
@@ -55,7 +55,7 @@ pub(crate) fn answer(
     let indices = scenes.iter().map(|file| file.scene.plasticity_index().ok());
     let index = indices.collect::<Option<Vec<f64>>>().map(|all| {
         let end = |of: fn(f64, f64) -> f64| all.iter().copied().fold(all[0], of);
-        let index = Known::new(all[0], None, Source::Model);
+        let index = Known::new(all[0], false);
         if all.len() > 1 { index.between([end(f64::min), end(f64::max)]) } else { index }
     });
     // An elastic model is not valid where they do.
@@ -71,9 +71,9 @@ pub(crate) fn answer(
     let is_flat = file.shape().is_none();
     let of_index = Column::new(["plasticity_index", "", "plasticity index"], String::new());
     let first = FIRST.iter().zip(&columns[1..]).enumerate().map(|(k, ((unit, of), column))| {
-        let by = match row.value(k + 1).map(|known| known.source) {
-            Some(Source::Model) => "no interval".into(),
-            Some(Source::Solved) => "on this scan".into(),
+        let by = match row.value(k + 1) {
+            Some(Known { solved: true, .. }) => "on this scan".into(),
+            Some(Known { ends: None, .. }) => "no interval".into(),
             _ => String::new(),
         };
         let unit = if is_flat { unit } else { column.unit };
@@ -111,7 +111,6 @@ pub(crate) fn answer(
     }
     let models = if is_flat { models } else { usual.into() };
     json!({
-        "source": row.value(1).map(|known| known.source),
         "first": first,
         "row": shown_row(row, row, columns),
         "head": crate::answer::head(columns, true),
@@ -201,7 +200,7 @@ mod tests {
     fn an_answer_is_that_of_best_and_models_are_held_against_it() {
         let found = page_at(SEAL, "1 MPa", json!([]));
         let (answer, ke) = (&found["answer"], row(&found, "ke"));
-        assert_eq!(answer["source"], "evidence");
+        assert_eq!(answer["first"][0]["by"], "0.028 to 0.0306");
         let file = asperity_scene::parse(SEAL, std::path::Path::new(".")).unwrap();
         let best = file.best().on(&file.scene, asperity::Tolerance::default()).unwrap();
         let wanted = best.known(Compared::Area, At::Pressure(1e6)).unwrap();
@@ -299,10 +298,7 @@ mod tests {
     #[test]
     fn beyond_what_was_solved_answers_have_no_interval() {
         let answer = &page_at(&joint(), "1 MPa", json!([]))["answer"];
-        assert_eq!(
-            (&answer["source"], &answer["first"][0]["by"]),
-            (&json!("model"), &json!("no interval"))
-        );
+        assert_eq!(answer["first"][0]["by"], "no interval");
         assert!(answer["first"].as_array().unwrap().iter().all(|part| part["lower"].is_null()));
     }
 
@@ -312,10 +308,10 @@ mod tests {
             let values = json!({ "area-fraction": "0.01", "tangent": "1e10" });
             json!([{ "pressure": pressure, "values": values, "notes": notes }])
         };
-        let source = |text, solved| page_at(text, "1 MPa", solved)["answer"]["source"].clone();
-        assert_eq!(source(SEAL, solved(1e6, json!([]))), "solved");
-        assert_eq!(source(SEAL, solved(2e6, json!([]))), "evidence");
-        assert_eq!(source(SEAL, solved(1e6, json!(["few-patches"]))), "evidence");
+        let by = |text, solved| page_at(text, "1 MPa", solved)["answer"]["first"][0]["by"].clone();
+        assert_eq!(by(SEAL, solved(1e6, json!([]))), "on this scan");
+        assert_eq!(by(SEAL, solved(2e6, json!([]))), "0.028 to 0.0306");
+        assert_eq!(by(SEAL, solved(1e6, json!(["few-patches"]))), "0.028 to 0.0306");
         let doubtful = page_at(&joint(), "1 MPa", solved(1e6, json!(["few-patches"])));
         assert_eq!(doubtful["answer"]["first"][0]["shown"], "1 %");
     }

@@ -120,19 +120,6 @@ pub(crate) fn columns(file: Option<&SceneFile>) -> Vec<Column> {
     is_flat.then(|| Column::separation(file)).into_iter().chain(quantities).collect()
 }
 
-/// Where a value comes from.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub(crate) enum Source {
-    /// A model.
-    #[default]
-    Model,
-    /// Boundary elements on solved surfaces like this one.
-    Evidence,
-    /// Boundary elements on this scan at this load.
-    Solved,
-}
-
 /// A value with its ends: those at the ends of the ranges of the surface, or of an interval that
 /// holds nine of ten surfaces.
 #[derive(Debug, Clone, Copy, Default)]
@@ -143,12 +130,14 @@ pub(crate) struct Known {
     bound: Option<f64>,
     /// Whether the ends are those of the ranges of the surface, too.
     ranged: bool,
-    pub(crate) source: Source,
+    /// Whether boundary elements on this scan gave it at this load.
+    pub(crate) solved: bool,
 }
 
 impl Known {
-    pub(crate) fn new(value: f64, ends: Option<[f64; 2]>, source: Source) -> Self {
-        Self { value, ends, source, bound: None, ranged: false }
+    /// Without ends.
+    pub(crate) fn new(value: f64, solved: bool) -> Self {
+        Self { value, solved, ..Self::default() }
     }
 
     /// Over the ranges of the surface.
@@ -216,9 +205,10 @@ fn values(scenes: &Scenes, compiled: &Compiled, places: &[At]) -> (Vec<Cells>, V
     let quantities = quantities(file);
     let is_flat = file.shape().is_none();
     let of_line = |line: &Line| -> Cells {
-        let known = |value, bound, ends: Option<[f64; 2]>| {
-            let source = ends.map_or(Source::Model, |_| Source::Evidence);
-            Known { value, bound, ends, source, ranged: false }
+        let known = |value, bound, ends: Option<[f64; 2]>| Known {
+            bound,
+            ends,
+            ..Known::new(value, false)
         };
         let separation = line.separation[1].as_ref();
         let separation = separation.map(|value| known(*value, None, line.between));
@@ -331,7 +321,7 @@ impl Row {
     /// Marks what has no interval as solved on this scan.
     pub(crate) fn solved(&mut self) {
         let known = self.cells.iter_mut().flatten();
-        known.filter(|known| known.ends.is_none()).for_each(|known| known.source = Source::Solved);
+        known.filter(|known| known.ends.is_none()).for_each(|known| known.solved = true);
     }
 
     /// The values of a column.

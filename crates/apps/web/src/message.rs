@@ -7,7 +7,7 @@ use asperity_answer::solved_contact;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
-use crate::answer::{Column, Known, Row, Source};
+use crate::answer::{Column, Known, Row};
 use crate::random::RandomKeys;
 use crate::span::LoadKeys;
 
@@ -102,9 +102,7 @@ impl Solved {
     pub(crate) fn row(&self, columns: &[Column]) -> Row {
         let known = |column: &Column| {
             let value = self.values.get(&column.id).and_then(|digits| digits.parse().ok());
-            value
-                .map(|value| Known::new(value, None, Source::Solved))
-                .ok_or_else(|| NOT_GIVEN.into())
+            value.map(|value| Known::new(value, true)).ok_or_else(|| NOT_GIVEN.into())
         };
         let cells = columns.iter().map(known).collect();
         Row { model: "bem".into(), cells, ..Row::default() }

@@ -11,7 +11,7 @@ use asperity_scene::SceneFile;
 use asperity_topography::Topography;
 use serde_json::{Value, json};
 
-use crate::answer::{Column, Known, Source, quantities};
+use crate::answer::{Column, Known, quantities};
 use crate::labels::finding;
 use crate::picture;
 use crate::random::MOST_PIXELS;
@@ -134,7 +134,7 @@ fn solved(press: &Press<'_>, pressed: &Pressed) -> Result<Value, Refusal> {
     let (mut columns, mut cells) = (vec![], vec![]);
     for (head, found) in heads.iter().zip(&row) {
         let found = match (found.number(), found.reason()) {
-            (Some(value), _) => Ok(Known::new(value, None, Source::Solved)),
+            (Some(value), _) => Ok(Known::new(value, true)),
             (_, Some(reason)) => Err(reason.to_string()),
             _ => continue,
         };

@@ -6,18 +6,8 @@ use asperity_web::Desk;
 use serde_json::{Value, json};
 
 /// Fields whose text the page shows.
-const SAID: [&str; 10] = [
-    "message",
-    "field_message",
-    "reason",
-    "basis",
-    "spoken",
-    "caption",
-    "about",
-    "source",
-    "shown",
-    "text",
-];
+const SAID: [&str; 9] =
+    ["message", "field_message", "reason", "basis", "spoken", "caption", "about", "shown", "text"];
 /// A surface of which only Ra is known.
 const GROUND: &str = "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 115e9\n\
     poissons_ratio = 0.3\nhardness = 2e9\n[surface]\nra = 8e-7\nfinish = \"ground\"\n";

@@ -287,7 +287,11 @@ impl FromStr for Model {
             return Ok(model.clone());
         }
         let near = nearest_name(&wanted, models.iter().map(|m| m.id())).map(Into::into);
-        let help = if near.is_none() { ": see the list of models" } else { "" };
+        let help = match near {
+            None if name.contains([' ', ';', '+']) => ": commas separate several models",
+            None => ": see the list of models",
+            Some(_) => "",
+        };
         let (what, name, help) = ("model", name.into(), help.into());
         Err(ContactError::UnknownName { what, name, near, help })
     }

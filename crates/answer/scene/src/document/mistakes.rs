@@ -6,7 +6,7 @@ use toml::de::Error;
 use super::Document;
 use crate::error::{Place, SceneError};
 use crate::keys::{Key, section_and_name};
-use crate::quantity::{ends_of_tolerance, notation_hint};
+use crate::quantity::{both_ends, notation_hint};
 use crate::text_file::shorten;
 
 impl Document<'_> {
@@ -18,20 +18,20 @@ impl Document<'_> {
         let found = self.text.get(span.unwrap_or_default()).unwrap_or_default();
         let found = shorten(found).replace(char::is_control, " ");
         let text = found.trim_matches('"');
-        let ends = Key::may_have_range(path).then(|| ends_of_tolerance(text)).flatten();
+        let ends = Key::may_have_range(path).then(|| both_ends(text)).flatten();
         if let Some(hint) = ends {
             return SceneError::notation(self.place(path), &found, &hint);
         }
         let expected = message.rsplit_once(", expected ").map_or(message, |(_, needed)| needed);
         let needed = match expected {
-            "f64" if found.starts_with('[') && Key::may_have_range(path) => {
-                format!("a number, or two as the ends of a range ({meaning}),")
+            "f64" if found.starts_with(['[', '{']) && Key::may_have_range(path) => {
+                format!("a number, or two in brackets as the ends of a range ({meaning}),")
             }
             "f64" => format!("a number ({meaning})"),
             "a boolean" => "true or false".into(),
             "a sequence" => format!("a list ({meaning})"),
             "path string" => format!("the path of a file, in quotes ({meaning}),"),
-            "string only" => "a name in quotes".into(),
+            "string only" | "a string" => "a name in quotes".into(),
             names => names.replace('`', "\""),
         };
         // A number in quotes is an example, not a name.
@@ -74,7 +74,7 @@ fn other_notation(line: &str) -> Option<String> {
         return Some("each of two bodies is written [[body]]; ".into());
     }
     let value = line.split_once('=')?.1.split('#').next()?.trim();
-    let ends = || ends_of_tolerance(&value.replace('"', ""));
+    let ends = || both_ends(&value.replace('"', ""));
     let hint = notation_hint(value).map(String::from).or_else(ends)?;
     Some(format!("{value} {hint}; "))
 }
