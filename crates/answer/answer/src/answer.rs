@@ -6,8 +6,8 @@ use asperity::{
 };
 use asperity_scene::{INTERFACE, SceneFile, Shape};
 
-use crate::asked::NO_EVIDENCE;
-use crate::inquiry::{Beside, Inquiry};
+use crate::compiled::NO_EVIDENCE;
+use crate::curve::{Beside, Inquiry};
 use crate::models::grouped;
 use crate::number::{fixed, prefixed};
 use crate::ranges::with_ranges;

@@ -1,14 +1,14 @@
 #![doc = include_str!("../README.md")]
 
 mod answer;
-mod asked;
 mod bem;
 mod blanks;
 mod check;
+mod compiled;
+mod curve;
 mod error;
 mod export;
 mod history;
-mod inquiry;
 mod leak;
 mod models;
 mod number;
@@ -29,14 +29,14 @@ mod unloading_scan;
 mod watch;
 
 pub use answer::{Answer, Basis, basis, has_property, lines, title};
-pub use asked::{Asked, Line, NO_EVIDENCE};
 pub use bem::{Press, Pressed};
 pub use blanks::Blanks;
 pub use check::check_sheet;
+pub use compiled::{Asked, Line, NO_EVIDENCE};
+pub use curve::{ADHESIVE, Beside, Inquiry, OPENING};
 pub use error::AnswerError;
 pub use export::{Export, Exported, Nodes, TableFormat, UnitSystem};
 pub use history::history;
-pub use inquiry::{ADHESIVE, Beside, Inquiry, OPENING};
 pub use models::{
     ALL_MODELS, best_and_nearest, grouped, models, of_joint, once, one_model, one_or_usual,
     scene_findings, use_asperities,

@@ -52,7 +52,7 @@ pub fn with_ranges<T, E: From<AnswerError> + Send>(
     let mut sheets = fill_all(&points.all[..search.first()])?;
     let first = sheets.iter().map(numbers).collect();
     let found = search.ends(&numbers(sheet), first, &sought(sheet), |shares| {
-        let scenes = shares.iter().map(|shares| file.at(shares)).collect::<Result<Vec<_>, _>>();
+        let scenes = shares.iter().map(|shares| file.point(shares)).collect::<Result<Vec<_>, _>>();
         let new = fill_all(&scenes.map_err(AnswerError::from)?)?;
         let numbers = new.iter().map(numbers).collect();
         sheets.extend(new);

@@ -254,7 +254,6 @@ impl SceneFile {
     /// # Errors
     /// [`ContactError`] naming the field that is out of range.
     pub fn at(&self, shares: &[f64]) -> Result<Self, ContactError> {
-        let within_ranges = !shares.is_empty();
         let mut shares = shares.iter().copied();
         let written = self.ranges.iter();
         let written: Vec<_> =
@@ -263,7 +262,16 @@ impl SceneFile {
         let mut take = |one: Unknown| one.at(shares.next().unwrap_or(0.5));
         let made = Self::of_spec(edited.spec.settled(&mut take)?)?;
         let (warnings, origin) = (self.warnings.clone(), self.origin.clone());
-        Ok(Self { warnings, origin, within_ranges, ..made })
+        Ok(Self { warnings, origin, ..made })
+    }
+
+    /// The scene [there](Self::at) as a point of the ranges, whose answers are ends of those of
+    /// this scene.
+    ///
+    /// # Errors
+    /// The errors of [`at`](Self::at).
+    pub fn point(&self, shares: &[f64]) -> Result<Self, ContactError> {
+        Ok(Self { within_ranges: true, ..self.at(shares)? })
     }
 
     /// The scene in the middle of its ranges and at points of them.
@@ -273,7 +281,7 @@ impl SceneFile {
     pub fn points(&self) -> Result<Points, ContactError> {
         let unknowns = self.unknowns();
         let shares = if unknowns.is_empty() { vec![] } else { shares(unknowns.len()) };
-        let all = shares.iter().map(|shares| self.at(shares)).collect::<Result<_, _>>()?;
+        let all = shares.iter().map(|shares| self.point(shares)).collect::<Result<_, _>>()?;
         let within_ranges = !unknowns.is_empty();
         let middle = Self { within_ranges, ..self.middle()? };
         Ok(Points { middle, all, unknowns, shares })
@@ -295,7 +303,7 @@ impl SceneFile {
     pub fn middle(&self) -> Result<Self, ContactError> {
         match self.unknowns().len() {
             0 => Ok(self.clone()),
-            all => Ok(Self { within_ranges: false, ..self.at(&vec![0.5; all])? }),
+            all => self.at(&vec![0.5; all]),
         }
     }
 
@@ -323,6 +331,6 @@ impl SceneFile {
         }
         let taken = self.at(&vec![share; unknowns.len()]);
         let taken = taken.map_err(|error| refused(error.to_string()))?;
-        Ok((Self { within_ranges: false, ..taken }, Some(found)))
+        Ok((taken, Some(found)))
     }
 }

@@ -247,7 +247,7 @@ fn values(scenes: &Scenes, compiled: &Compiled, places: &[At]) -> (Vec<Cells>, V
     let sought = of_cell.repeat(middle.len() / 2);
     let fill = |shares: &[Vec<f64>]| {
         let at = |shares: &Vec<f64>| {
-            let file = ranges.at(shares)?;
+            let file = ranges.point(shares)?;
             Ok::<_, Refusal>(numbers(asked(&file, &compiled.id, places)?.lines(&file, places)))
         };
         shares.iter().map(at).collect::<Result<Vec<Numbers>, Refusal>>()

@@ -1,4 +1,4 @@
-//! What is asked of a scene: models, quantities and places, and how the answer is shown.
+//! The rows of `curve`: models, quantities and places that are asked of a scene, and their columns.
 
 use asperity::recommended::JKR;
 use asperity::{
@@ -7,8 +7,8 @@ use asperity::{
 };
 use asperity_scene::SceneFile;
 
-use crate::asked::{Asked, Line};
 use crate::blanks::{Blanks, kind};
+use crate::compiled::{Asked, Line};
 use crate::models::{grouped, once, reason_alone};
 use crate::sheet::warning;
 use crate::{AnswerError, Cell, Sheet, Watch};
