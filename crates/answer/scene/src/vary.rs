@@ -169,6 +169,7 @@ impl SceneFile {
             !is_set && made.value_of(*input).map(bits) == Some(bits(one.middle()))
         };
         made.ranges = self.ranges.iter().filter(|one| keeps(one)).cloned().collect();
+        made.warnings = self.warnings.clone();
         Ok(made)
     }
 }

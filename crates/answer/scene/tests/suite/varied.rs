@@ -171,6 +171,7 @@ fn every_number_of_every_description_is_edited_where_it_was_written() {
                 };
                 edits += 1;
                 assert_eq!(physics(&varied), physics(&wanted), "{context}");
+                assert_eq!(varied.warnings.len(), wanted.warnings.len(), "{context}");
                 // Written and read again.
                 if edits % 4 == 0 {
                     let again = read(&varied.to_toml().unwrap());
