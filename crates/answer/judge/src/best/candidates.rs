@@ -23,9 +23,13 @@ impl<M: Answering> Candidate<M> {
         let mut asked = Compared::QUANTITIES.to_vec();
         asked.extend([Quantity::Force]);
         asked.extend(model.validity().asperities.then_some(Quantity::Contacts));
+        // Few places need no tables.
         let compile = |quantities: &[Quantity]| {
             let asked = Request::new(quantities.iter().copied()).within(request.tolerance);
-            model.compile(scene, &asked)
+            match &request.at[..] {
+                [] => model.compile(scene, &asked),
+                places => model.contact(scene, &asked.at(places.iter().copied())),
+            }
         };
         let (contact, lacking) = compile_known(&asked, &[], compile).ok()?;
         Some(Self { contact, lacking, model })
