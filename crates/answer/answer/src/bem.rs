@@ -217,7 +217,7 @@ impl<'a> Press<'a> {
                 let carries =
                     |hardness| solution.area <= ROUNDED * solution.mean_pressure / hardness;
                 least += usize::from(hardness.is_some_and(carries));
-                below += usize::from(solution.mean_gap < 0.0);
+                below += usize::from(solution.mean_gap < 0.0 && solution.plastic_area > 0.0);
                 found.extend(notes);
                 lacks.extend(self.quantities().iter().zip(&cells[COLUMNS.len()..]).filter_map(
                     |(quantity, cell)| Some(format!("no {quantity}: {}", cell.reason()?)),

@@ -7,7 +7,8 @@ use asperity::{
 use asperity_scene::SceneFile;
 
 use crate::models::note_adhesion;
-use crate::subject::measured;
+use crate::ranges::with_ranges;
+use crate::subject::{Outcome, measured};
 use crate::{AnswerError, Cell, Sheet};
 
 /// The largest tension of models with adhesion, and its separation; blank if there is no tensile
@@ -20,7 +21,11 @@ pub fn pull_off(
     models: &[Model],
     tolerance: Tolerance,
     sheet: &mut Sheet,
-) -> Result<(), AnswerError> {
+) -> Outcome {
+    with_ranges(file, sheet, |file, sheet| fill(file, models, tolerance, sheet))
+}
+
+fn fill(file: &SceneFile, models: &[Model], tolerance: Tolerance, sheet: &mut Sheet) -> Outcome {
     let heads = ["model", "force_N", "pressure_Pa", "separation_over_sigma", "separation_m"];
     let scene = &file.scene;
     sheet.under(&[&heads]);

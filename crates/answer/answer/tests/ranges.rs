@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use asperity::{At, ContactModel, Finding, Quantity, Request, Separation};
+use asperity::{At, ContactModel, Finding, Quantity, Request, Separation, Tolerance};
 use asperity_answer::{
     AnswerError, ENDS, Inquiry, Sheet, Silent, column_of_end, models, with_ranges,
 };
@@ -322,4 +322,24 @@ fn what_is_known_best_has_ends_on_a_surface_of_ranges() {
         assert_eq!(own.is_some(), has_interval, "{hardness:e}");
         assert!(own.is_none_or(|own| lower <= own.lower && own.upper <= upper), "{hardness:e}");
     }
+}
+
+#[test]
+fn the_largest_tension_of_ranges_is_between_those_at_their_ends() {
+    let rubber = |work: &str| {
+        let text = format!(
+            "nominal_area = 1e-4\n[interface]\nequivalent_modulus = 1.3e6\npoissons_ratio = 0.5\n\
+             work_of_adhesion = {work}\n[surface]\nasperity_radius = 1e-4\n\
+             asperity_density = 1e9\nasperity_height_std = 1e-6\n"
+        );
+        let (file, mut sheet) = (parse(&text, Path::new(".")).unwrap(), Sheet::default());
+        let models = [file.model("jkr-separation").unwrap()];
+        asperity_answer::pull_off(&file, &models, Tolerance::default(), &mut sheet).unwrap();
+        sheet
+    };
+    let of = |work| numbers(&rubber(work), Quantity::Force);
+    let alone = |work| rubber(work).rows[0][1].number().unwrap();
+    let [middle, lower, upper] = of("[0.04, 0.06]");
+    assert_eq!([lower, upper].map(f64::to_bits), [alone("0.06"), alone("0.04")].map(f64::to_bits));
+    assert!(lower < middle && middle < upper && upper < 0.0);
 }

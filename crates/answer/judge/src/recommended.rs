@@ -21,8 +21,18 @@ pub const WHOLE_SURFACE: &str =
 
 /// Models of which the first valid one answers where there is no evidence, and whose ratios to it
 /// are kept beyond solved loads; those with adhesion where it matters.
-pub const ANSWERING: [&str; 8] =
-    ["ke", "zmc", "jg", "gw", "persson-plastic", "persson-fudge", "jkr", "dmt"];
+pub const ANSWERING: [&str; 9] = [
+    "ke",
+    "zmc",
+    "jg",
+    "gw",
+    "persson-plastic",
+    "persson-fudge",
+    "jkr",
+    // Under tensions that closing surfaces do not carry.
+    "jkr-separation",
+    "dmt",
+];
 
 /// The id of the default reference model: `ke`, or `gw` without a hardness.
 ///

@@ -145,7 +145,13 @@ impl Drawing {
             "{finish} surfaces have a skewness of {lower} to {upper} ({}), but the heights of the scene are Gaussian",
             of.source
         );
-        let advice = "a skewness of -0.5 makes a joint 1.4 times as stiff, -0.9 twice; give a range, such as heights = { skewness = [-0.9, 0] }";
+        // As low as heights can be described.
+        let least = short(of.lower.max(-1.0));
+        let give = format!("give a range, heights = {{ skewness = [{least}, {upper}] }}");
+        let advice = match of.upper > 0.0 {
+            true => give,
+            false => format!("{give}: -0.5 makes a joint 1.4 times as stiff, -0.9 twice"),
+        };
         let found = Finding::warning(Code::NotGaussian, "finish", 0.5 * (of.lower + of.upper));
         Some(found.fact(fact).advice(advice))
     }

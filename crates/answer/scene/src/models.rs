@@ -12,6 +12,7 @@ use asperity_curved::{BetweenCurved, Curved, Shape};
 use crate::error::{Place, SceneError};
 use crate::options::ModelOptions;
 use crate::scene_file::SceneFile;
+use crate::spec::SMOOTH;
 
 /// A model that cannot be used for a scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -182,7 +183,7 @@ impl SceneFile {
 
     /// Why models of pairs do not know each of its two surfaces.
     fn no_pair(&self) -> Option<&'static str> {
-        if self.spec.is_smooth {
+        if self.spec.word == Some(SMOOTH) {
             return Some(
                 "counterface = \"smooth\" leaves one rough surface, and models of pairs press two",
             );

@@ -321,11 +321,11 @@ impl SceneFile {
             "upper" => (1.0, "at the upper end"),
             _ => return Err(refused(format!("{end:?} is none of lower, middle and upper"))),
         };
-        let unknowns = self.unknowns();
+        let unknowns = self.unknowns_between().map_err(|error| refused(error.to_string()))?;
         let ranges = unknowns.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
         let found = Finding::note(Code::TakenAt, "at", share)
             .fact(format!("calculated {place} of the ranges of {ranges}"))
-            .advice("a value with every number at its lower or its upper end need not be an end of the answer: curve, check and answer give these");
+            .advice("a value with every number at its lower or its upper end need not be an end of the answer: curve and answer give these");
         if unknowns.is_empty() {
             return Ok((self.clone(), None));
         }

@@ -4,7 +4,6 @@ use std::path::Path;
 use std::sync::Arc;
 
 use asperity::{Code, Datum, Findings, TabulatedHeights};
-use toml::Value;
 
 use crate::curvature::Curvature;
 use crate::document::{Document, Files, HandedFiles};
@@ -19,7 +18,7 @@ use crate::resolve::resolve;
 use crate::scans::{self, Asked, density, notes};
 use crate::scene_file::SceneFile;
 use crate::seal::{Gas, Seal};
-use crate::spec::{HeightsSpec, SceneSpec};
+use crate::spec::{HeightsSpec, SAME, SceneSpec};
 use crate::surface::{refused, smooth_counterface, surfaces};
 use crate::text_file::read_text;
 use crate::unknown::Unknown;
@@ -205,7 +204,7 @@ fn ranges(
     };
     let mut all = document.ranges.clone();
     // Of a surface that is the same, each number has the range of the other.
-    if document.value(COUNTERFACE).and_then(Value::as_str) == Some("same") {
+    if file.spec.word == Some(SAME) {
         let own = document.ranges.iter().filter_map(|(path, ends)| {
             let key = path.strip_prefix("surface.")?;
             keys_of(COUNTERFACE).contains(&key).then(|| (joined(COUNTERFACE, key), *ends))

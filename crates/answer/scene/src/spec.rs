@@ -13,6 +13,11 @@ use crate::options::ModelOptions;
 use crate::roughness::{Roughness, Way};
 use crate::seal::{Gas, Seal};
 
+/// No second rough surface.
+pub(crate) const SMOOTH: &str = "smooth";
+/// A second surface like the first.
+pub(crate) const SAME: &str = "same";
+
 /// What was written about a scene. `SceneFile::of_spec` makes a scene of it.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
@@ -25,8 +30,8 @@ pub struct SceneSpec {
     pub surface: SurfaceSpec,
     /// The second rough surface.
     pub counterface: Option<SurfaceSpec>,
-    /// Whether `counterface = "smooth"` is written.
-    pub(crate) is_smooth: bool,
+    /// What is written instead of a counterface: [`SMOOTH`], or [`SAME`] while it is as the first.
+    pub(crate) word: Option<&'static str>,
     /// What boundary elements press where that is not the scan of `surface`: the sum of two aligned
     /// scans, or a scan beside asperities.
     pub(crate) pressed: Option<Arc<Scan>>,
@@ -227,7 +232,7 @@ impl SceneSpec {
             bodies,
             surface,
             counterface: None,
-            is_smooth: false,
+            word: None,
             pressed: None,
             heights: HeightsSpec::default(),
             separation_from: Datum::AsperityMean,

@@ -10,11 +10,11 @@ use crate::keys::{COUNTERFACE, KEYS, Subject, joined};
 use crate::resolve::Fault;
 use crate::roughness::{Roughness, Way};
 use crate::scans::{Asked, scans};
-use crate::spec::{Bodies, Description, HeightsSpec, SceneSpec, SurfaceSpec};
+use crate::spec::{Bodies, Description, HeightsSpec, SAME, SMOOTH, SceneSpec, SurfaceSpec};
 use crate::text_file::shorten;
 
 /// What a counterface may be instead of a surface of its own.
-const WORDS: [&str; 2] = ["smooth", "same"];
+const WORDS: [&str; 2] = [SMOOTH, SAME];
 /// The file of a measured surface.
 const FILE: [&str; 1] = ["file"];
 const STD: &str = "asperity_height_std";
@@ -70,12 +70,13 @@ pub(crate) fn surfaces(
     let table_std = heights.table.as_ref().map(|table| table.standard_deviation());
     let first = described(document, "surface", table_std)?;
     let word = document.value(COUNTERFACE).and_then(Value::as_str);
-    if let Some(word) = word.filter(|word| !WORDS.contains(word)) {
+    let known = word.and_then(|word| WORDS.into_iter().find(|known| *known == word));
+    if let Some(word) = word.filter(|_| known.is_none()) {
         let needed = "\"smooth\", \"same\" or the keys of the second surface";
         let (at, found) = (document.place(COUNTERFACE), format!("{:?}", shorten(word)));
         return Err(SceneError::of_names(at, &found, nearest_name(word, WORDS), needed));
     }
-    let (is_smooth, is_same) = (word == Some(WORDS[0]), word == Some(WORDS[1]));
+    let is_same = known == Some(SAME);
     let is_pair = document.has(COUNTERFACE) && word.is_none();
     let second = if is_pair { described(document, COUNTERFACE, None)? } else { None };
     if let (Some((_, key)), true) = (&first, heights.is_measured) {
@@ -116,7 +117,7 @@ pub(crate) fn surfaces(
         false => of(COUNTERFACE, second)?,
     };
     let one = SceneSpec::new(bodies, first, nominal_area);
-    Ok(SceneSpec { counterface, is_smooth, pressed, ..one })
+    Ok(SceneSpec { counterface, word: known, pressed, ..one })
 }
 
 /// How a section describes its surface, with the key that decides it; `None` by a scan.
@@ -161,5 +162,5 @@ pub(crate) fn smooth_counterface(spec: &SceneSpec) -> Option<Finding> {
     let found = Finding::warning(Code::SmoothCounterface, "counterface", f64::NAN)
         .fact("the other surface is taken as smooth (by models of pairs as rough as this one)")
         .advice("give counterface = \"smooth\" or \"same\", or describe it");
-    (is_open && spec.counterface.is_none() && !spec.is_smooth).then_some(found)
+    (is_open && spec.counterface.is_none() && spec.word.is_none()).then_some(found)
 }

@@ -129,9 +129,12 @@ impl SceneFile {
         let mut spec = self.spec.clone();
         let area = |spec: &SceneSpec| spec.seal.and_then(|seal| seal.area());
         let follows = area(&spec) == Some(spec.nominal_area);
-        let mut set: Vec<SceneInput> = vec![];
+        let numbers: Vec<(SceneInput, f64)> = numbers.into_iter().collect();
+        let set: Vec<SceneInput> = numbers.iter().map(|(input, _)| *input).collect();
+        // It is not like the first any more.
+        spec.word = spec.word.filter(|_| set.iter().all(|one| one.section != COUNTERFACE));
+        let is_same = spec.is_same();
         for (input, value) in numbers {
-            set.push(input);
             let SceneInput { section, key } = input;
             match section {
                 "" => {
@@ -153,7 +156,10 @@ impl SceneFile {
                     spec.heights = HeightDistribution::Weibull(heights).into();
                 }
                 "surface" | COUNTERFACE => {
-                    spec.surface_mut(section).into_iter().for_each(|one| one.set(key, value));
+                    let second = is_same.then_some(COUNTERFACE);
+                    for section in [Some(section), second].into_iter().flatten() {
+                        spec.surface_mut(section).into_iter().for_each(|one| one.set(key, value));
+                    }
                 }
                 bodies => spec.bodies.set(bodies, key, value),
             }

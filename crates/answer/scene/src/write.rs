@@ -12,7 +12,7 @@ use crate::materials::Material;
 use crate::read::scene_file;
 use crate::scans::Asked;
 use crate::scene_file::SceneFile;
-use crate::spec::{Bodies, Description, SurfaceSpec};
+use crate::spec::{Bodies, Description, SAME, SMOOTH, SceneSpec, SurfaceSpec};
 use crate::unknown::Unknown;
 
 impl SceneFile {
@@ -39,8 +39,10 @@ impl SceneFile {
         let spec = &self.spec;
         let mut top = spec.bodies.keys();
         let mut surface = spec.surface.keys();
-        let word = spec.is_smooth.then(|| "smooth".into());
-        let second = spec.counterface.as_ref().map(|second| second.keys().into()).or(word);
+        let second = match spec.word {
+            Some(word) if word == SMOOTH || spec.is_same() => Some(word.into()),
+            _ => spec.counterface.as_ref().map(|second| second.keys().into()),
+        };
         surface.extend(second.map(|second| ("counterface".into(), second)));
         surface.extend(self.heights_key()?.map(|key| ("heights".into(), key)));
         if spec.separation_from == Datum::SurfaceMean {
@@ -143,6 +145,14 @@ fn keys_of_body(body: &Body, material: Option<&Material>) -> Table {
         Some((field.name.into(), value.into()))
     });
     id.into_iter().chain(own).collect()
+}
+
+impl SceneSpec {
+    /// Whether the second surface is written as the first, and is like it.
+    pub(crate) fn is_same(&self) -> bool {
+        let is_like = |second: &SurfaceSpec| second.keys() == self.surface.keys();
+        self.word == Some(SAME) && self.counterface.as_ref().is_some_and(is_like)
+    }
 }
 
 impl SurfaceSpec {

@@ -195,6 +195,17 @@ fn without_evidence_the_first_valid_model_answers_without_an_interval() {
 }
 
 #[test]
+fn under_tension_the_model_of_parting_answers_where_closing_surfaces_carry_none() {
+    let mut interface = Interface::elastic(4e6 / 3.0, 0.5);
+    interface.work_of_adhesion = Some(0.05);
+    let rubber = Scene::new(interface, Surface::new(1e-4, 1e9, 1e-6), 1e-4);
+    for (load, id) in [(1.0, "jkr"), (-0.2, "jkr"), (-0.5, "jkr-separation")] {
+        let known = best(&rubber).known(Compared::Area, At::Load(load)).unwrap();
+        assert!(matches!(&known.source, Source::Model(of, _) if of == id), "{load}: {known:?}");
+    }
+}
+
+#[test]
 fn outside_of_what_was_solved_the_nearest_end_answers_without_an_interval() {
     // No surface of this bandwidth was solved.
     let broad = scene(3e11);

@@ -132,3 +132,21 @@ fn the_gap_of_correlations_has_the_roughness_of_both() {
     same(both.height_std / one.height_std, 2f64.sqrt());
     same(both.mean_slope / one.mean_slope, 2f64.sqrt());
 }
+
+#[test]
+fn a_counterface_that_is_the_same_stays_so_until_it_has_a_number_of_its_own() {
+    let of = |m0: &str| scene(&format!("{}\ncounterface = \"same\"", MOMENTS.replace("1e-12", m0)));
+    let with = |file: &SceneFile, name: &str, value: f64| {
+        let input = file.inputs([name]).unwrap()[0];
+        file.with_inputs([(input, value)]).unwrap()
+    };
+    let (file, edited) = (of("1e-12"), of("2e-12"));
+    let varied = with(&file, "m0", 2e-12);
+    assert_eq!(varied.to_toml().unwrap(), edited.to_toml().unwrap());
+    assert!(edited.to_toml().unwrap().contains("counterface = \"same\""));
+    same(force(&varied, "ke-pairs", 2.0), force(&edited, "ke-pairs", 2.0));
+    let own = with(&with(&file, "counterface_m0", 2e-12), "m0", 3e-12);
+    let [first, second] = own.scene.pair.unwrap().surfaces.map(|one| one.asperities.moments().m0);
+    same(first, 3e-12);
+    same(second, 2e-12);
+}
