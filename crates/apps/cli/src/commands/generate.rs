@@ -65,7 +65,7 @@ pub struct Generate {
 
 impl Generate {
     pub fn run(self) -> Result<()> {
-        let surface = valid("generate", self.surface());
+        let surface = valid(self.surface());
         let [columns, rows] = self.size;
         let [dx, dy] = self.pixel;
         let side = (columns as f64 * dx).max(rows as f64 * dy);
@@ -100,7 +100,7 @@ impl Generate {
                 output::show([&found]);
             }
         }
-        let map = valid("generate", surface.map([rows, columns]));
+        let map = valid(surface.map([rows, columns]));
         let shape = map.shape();
         if self.output.extension().is_some_and(|end| end.eq_ignore_ascii_case("x3p")) {
             let surface = Topography::new(map.heights().to_vec(), shape[1], self.pixel)?;

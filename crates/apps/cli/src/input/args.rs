@@ -9,13 +9,12 @@ use asperity::{At, Described, Model, Quantity, Request, Separation, SeparationUn
 use asperity_answer::{ALL_MODELS, Sheet};
 use asperity_scene::SceneFile;
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
-use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
 use crate::input::distances::{Distances, metre, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load_or_tension, number, pressure_or_tension};
-use crate::input::usage_error;
+use crate::input::refuse;
 use crate::output::table::{self, Format};
 use crate::output::{self, once};
 
@@ -154,12 +153,10 @@ impl ModelArgs {
 
     /// Ends with a message where the places are not those of curved bodies, or of flat ones.
     pub fn check_places(&self, is_curved: bool) {
-        let is_of_bodies = !(self.loads.is_empty() && self.approaches.is_empty());
-        let text = match is_curved {
-            true if !is_of_bodies => "the scene has [curvature]: give --load or --approach",
-            _ => return check_approaches("curve", is_curved, &self.approaches),
-        };
-        usage_error("curve", ErrorKind::ArgumentConflict, text);
+        let is_of_flat = self.loads.is_empty() && self.approaches.is_empty();
+        let text = "the scene has [curvature]: give --load or --approach";
+        refuse([(is_curved && is_of_flat, text)]);
+        check_approaches(is_curved, &self.approaches);
     }
 
     /// Whether films are given.
@@ -197,11 +194,9 @@ pub fn approaches(given: &[Numbers]) -> impl Iterator<Item = At> {
 }
 
 /// Ends with a message where approaches are given and the bodies are flat.
-pub fn check_approaches(command: &str, is_curved: bool, given: &[Numbers]) {
-    if !is_curved && !given.is_empty() {
-        let text = "--approach is of curved bodies, and the scene has no [curvature]: give --load or --pressure";
-        usage_error(command, ErrorKind::ArgumentConflict, text);
-    }
+pub fn check_approaches(is_curved: bool, given: &[Numbers]) {
+    let text = "--approach is of curved bodies, and the scene has no [curvature]: give --load or --pressure";
+    refuse([(!is_curved && !given.is_empty(), text)]);
 }
 
 /// The places of loads and of pressures.
