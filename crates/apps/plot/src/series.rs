@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::error::PlotError;
-use crate::figure::{Panel, Scale};
+use crate::figure::Panel;
 use crate::style::{Colour, Curve};
 
 /// A pair of numbers: in the units of the csv, in fractions of a frame, or in pixels.
@@ -141,12 +141,9 @@ pub(crate) fn areas<'a>(
     all: &mut [Series<'a>],
 ) -> Result<Vec<Area<'a>>, PlotError> {
     let whole = |mut pieces: Vec<Vec<Point>>, curve: &str, x: Option<&[Point]>| {
-        let required = "one piece without gaps and with the x of the other edge";
         let same = |piece: &Vec<Point>| x.is_none_or(|x| same_x(piece, x));
-        match pieces.pop().filter(|piece| pieces.is_empty() && same(piece)) {
-            Some(piece) => Ok(piece),
-            None => Err(PlotError::Area { curve: curve.into(), required }),
-        }
+        let piece = pieces.pop().filter(|piece| pieces.is_empty() && same(piece));
+        piece.ok_or_else(|| PlotError::Area { curve: curve.into() })
     };
     let mut areas = vec![];
     for between in &panel.between {
@@ -159,10 +156,6 @@ pub(crate) fn areas<'a>(
     }
     let mut below: Option<Vec<Point>> = None;
     for Series { curve, pieces, .. } in all.iter_mut().filter(|_| panel.stacked) {
-        if panel.y.scale == Scale::Log {
-            let required = "a linear vertical axis";
-            return Err(PlotError::Area { curve: curve.key.clone(), required });
-        }
         let mut upper = whole(std::mem::take(pieces), &curve.key, below.as_deref())?;
         let lower = below.unwrap_or_else(|| upper.iter().map(|point| (point.0, 0.0)).collect());
         upper.iter_mut().zip(&lower).for_each(|(up, low)| up.1 += low.1);

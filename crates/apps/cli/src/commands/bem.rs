@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use asperity::Quantity;
-use asperity::bem::{Bem, LoadCase, Solution};
+use asperity::bem::{Bem, BemOptions, Continuation, LoadCase, Solution};
 use asperity_answer::{Press, sealing};
 use asperity_plot::draw_map;
 use clap::{ArgAction, Args};
 
-use crate::input::args::{EndArgs, OutputArgs, PressArgs, file_ending, loads, svg_file};
+use crate::input::args::{EndArgs, OutputArgs, continuation, file_ending, loads, svg_file};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load, pressure};
 use crate::input::refuse;
@@ -30,8 +30,15 @@ pub struct BemCommand {
     end: EndArgs,
     #[command(flatten)]
     places: Places,
-    #[command(flatten)]
-    press: PressArgs,
+    /// Beyond the edges of the scan that bem presses: periodic (repeated as it is, with steps),
+    /// periodic-part (its periodic component) or free (a single body) [default: periodic if the
+    /// scene says periodic = true; otherwise periodic-part if the edges do not match, free if they
+    /// do but the slopes there do not, as of a ball, and periodic if both do]
+    #[arg(long, value_name = "WHAT", value_parser = continuation())]
+    boundary: Option<Continuation>,
+    /// Press the scan by bem without the hardness: elastic, with unlimited pressures
+    #[arg(long)]
+    elastic: bool,
     /// Add tangent (or stiffness, the same: the slope of first loading; where contacts yield the
     /// chord between pressures up to 5 % to either side, by two more solutions), quantities of
     /// joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
@@ -86,8 +93,8 @@ struct Places {
 
 impl BemCommand {
     pub fn run(self) -> Result<()> {
-        let scene =
-            LoadedScene::load_scan(&self.scene, self.press.options())?.taken_at(&self.end)?;
+        let given = BemOptions { boundary: self.boundary, elastic: self.elastic };
+        let scene = LoadedScene::load_scan(&self.scene, given)?.taken_at(&self.end)?;
         let places = loads(&self.places.loads, &self.places.pressures);
         let pressures = places.filter_map(|at| at.pressure(&scene.file.scene));
         let given: Vec<LoadCase> = pressures.map(LoadCase::MeanPressure).collect();

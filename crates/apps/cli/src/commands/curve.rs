@@ -13,7 +13,7 @@ use asperity_scene::{SceneFile, column_of};
 use clap::Args;
 
 use crate::commands::pull_off::pull_off;
-use crate::input::args::{DrawnArgs, ModelArgs, model_id, patch_file};
+use crate::input::args::{DrawnArgs, ModelArgs, file_ending, model_id};
 use crate::input::varied::Varied;
 use crate::input::{refuse, usage_error};
 use crate::interrupt::Terminal;
@@ -36,6 +36,8 @@ const OF_BODIES: [Quantity; 7] = [
     Quantity::Tangent,
 ];
 
+/// How patches are written.
+const PATCH: &str = "the patch is written as csv, and drawn as svg";
 /// The column that tells scenes apart.
 const SCENE: &str = "scene";
 
@@ -80,7 +82,8 @@ pub struct Curve {
     pull_off: bool,
     /// Also write the patch of curved bodies, of one model at one load: as csv pressures,
     /// separations, area fractions and the tangential flexibility of the layer, as svg a picture
-    #[arg(long, value_name = "FILE.csv|svg", value_parser = patch_file(), requires = "given")]
+    #[arg(long, value_name = "FILE.csv|svg", requires = "given")]
+    #[arg(value_parser = file_ending(&["csv", "svg"], PATCH))]
     profile: Option<PathBuf>,
     #[command(flatten)]
     output: DrawnArgs,

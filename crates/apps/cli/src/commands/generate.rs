@@ -72,21 +72,13 @@ impl Generate {
         let gradient = (2.0 * surface.moments().m2).sqrt();
         if gradient > 1.0 {
             let gradient = rounded(gradient);
-            output::warn(
-                Code::UnusualSize,
-                format!(
-                    "the rms gradient is {gradient} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short"
-                ),
-            );
+            let text = "half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short";
+            let found = format!("the rms gradient is {gradient} (usual: at most 1): {text}");
+            output::warn(Code::UnusualSize, found);
         }
         if self.long > side {
-            let side = rounded(side);
-            output::warn(
-                Code::LongWaves,
-                format!(
-                    "waves up to --long do not fit on the surface of {side} m; those up to its side are made"
-                ),
-            );
+            let made = format!("surface of {} m; those up to its side are made", rounded(side));
+            output::warn(Code::LongWaves, format!("waves up to --long do not fit on the {made}"));
         }
         for (option, key, value) in [
             ("--long", "wavelength", Some(self.long)),

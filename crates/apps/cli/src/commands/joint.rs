@@ -159,7 +159,10 @@ impl Joint {
         let height_std = scene.file.scene.surface.asperity_height_std;
         let (shift, metres) = (self.cycle.amplitude.as_slice(), SeparationUnit::Metres);
         warn_unit("amplitude", shift, metres, height_std);
-        let amplitudes = self.amplitudes();
+        let forces = self.cycle.tangential_force.iter().flat_map(|list| &list.0);
+        let forces = forces.copied().map(Amplitude::Force);
+        let amplitudes = self.cycle.amplitude.map(Amplitude::Shift).into_iter().chain(forces);
+        let amplitudes: Vec<Amplitude> = amplitudes.collect();
         let is_scan = slip.subject.id() == Bem::ID;
         let points = self.points.unwrap_or(POINTS[usize::from(is_scan)]);
         listen()?;
@@ -186,12 +189,6 @@ impl Joint {
             }
             .svg(&sheet)
         })
-    }
-
-    fn amplitudes(&self) -> Vec<Amplitude> {
-        let shift = self.cycle.amplitude.map(Amplitude::Shift);
-        let forces = self.cycle.tangential_force.iter().flat_map(|list| &list.0);
-        shift.into_iter().chain(forces.copied().map(Amplitude::Force)).collect()
     }
 }
 

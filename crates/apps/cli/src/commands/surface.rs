@@ -16,9 +16,9 @@ use clap::Args;
 use serde::Serialize;
 use toml::{Table, Value};
 
-use crate::commands::scales::{self, Scales};
+use crate::commands::scales;
 use crate::input::args::DrawnArgs;
-use crate::input::lists::sizes;
+use crate::input::lists::{Numbers, all, sizes};
 use crate::input::numbers::{length, share};
 use crate::input::refuse;
 use crate::output::table::Format;
@@ -53,8 +53,11 @@ pub struct Surface {
     /// them; an existing file is kept
     #[arg(long, value_name = "OUT.toml")]
     scene: Option<PathBuf>,
-    #[command(flatten)]
-    scales: Scales,
+    /// Tabulate the asperities against the short-wavelength cut-off: N cut-offs from A to B, in m,
+    /// or with a unit
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(length))]
+    #[arg(conflicts_with_all = ["smooth", "scene"])]
+    scales: Option<Numbers>,
 }
 
 /// How scans are read and prepared: keys of a scene.
@@ -160,9 +163,9 @@ impl Surface {
             return self.header();
         }
         let (working, keys) = (progress("surface"), self.keys()?);
-        if self.scales.is_requested() {
+        if let Some(Numbers(cutoffs)) = &self.scales {
             let path = self.files.first().context("a file was required")?;
-            let table = self.scales.table(&read(path, &keys)?, &keys)?;
+            let table = scales::table(cutoffs, &read(path, &keys)?, &keys)?;
             drop(working);
             return self.output.write(&table, || scales::picture(&table));
         }
@@ -252,7 +255,7 @@ impl Surface {
             self.scan.smooth.zip(self.scan.filter).is_some_and(|(smooth, filter)| smooth >= filter);
         refuse([
             (self.aligned.is_some() && !two, "--aligned takes two FILEs"),
-            (self.scales.is_requested() && two, "--scales takes one FILE"),
+            (self.scales.is_some() && two, "--scales takes one FILE"),
             (self.report && separate, "--report takes one FILE or --aligned"),
             (self.output.plot.is_some() && separate, "--plot takes one FILE or --aligned"),
             (nothing_left, "choose --smooth below --filter, which keeps some wavelengths"),

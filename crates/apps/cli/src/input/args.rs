@@ -4,7 +4,7 @@ use std::io::IsTerminal;
 use std::path::PathBuf;
 
 use anyhow::Result;
-use asperity::bem::{Bem, BemOptions, Continuation};
+use asperity::bem::{Bem, Continuation};
 use asperity::{At, Described, Model, Quantity, Request, Separation, SeparationUnit, Tolerance};
 use asperity_answer::{ALL_MODELS, Sheet};
 use asperity_scene::SceneFile;
@@ -76,31 +76,10 @@ pub struct EndArgs {
     pub at: String,
 }
 
-/// How boundary elements press a scan, in front of the options of the scene.
-#[derive(Debug, Clone, Copy, Default, Args)]
-pub struct PressArgs {
-    /// Beyond the edges of the scan that bem presses: periodic (repeated as it is, with steps),
-    /// periodic-part (its periodic component) or free (a single body) [default: periodic if the
-    /// scene says periodic = true; otherwise periodic-part if the edges do not match, free if they
-    /// do but the slopes there do not, as of a ball, and periodic if both do]
-    #[arg(long, value_name = "WHAT", value_parser = continuation())]
-    boundary: Option<Continuation>,
-    /// Press the scan by bem without the hardness: elastic, with unlimited pressures
-    #[arg(long)]
-    elastic: bool,
-}
-
 /// The values of `--boundary`.
-fn continuation() -> impl TypedValueParser<Value = Continuation> {
+pub fn continuation() -> impl TypedValueParser<Value = Continuation> {
     let names = PossibleValuesParser::new(Continuation::ALL.map(Continuation::name));
     names.try_map(|name| Continuation::from_name(&name).ok_or("another name was required"))
-}
-
-impl PressArgs {
-    /// The same as options of a scene.
-    pub fn options(self) -> BemOptions {
-        BemOptions { boundary: self.boundary, elastic: self.elastic }
-    }
 }
 
 /// Format and destination of a result.
@@ -299,11 +278,6 @@ pub fn file_ending(
 pub fn svg_file() -> impl TypedValueParser<Value = PathBuf> {
     let what = "plots are written as svg; `inkscape plot.svg -o plot.pdf` makes pdf of one, or png";
     file_ending(&["svg"], what)
-}
-
-/// The name of a file of a patch.
-pub fn patch_file() -> impl TypedValueParser<Value = PathBuf> {
-    file_ending(&["csv", "svg"], "the patch is written as csv, and drawn as svg")
 }
 
 /// A relative tolerance.

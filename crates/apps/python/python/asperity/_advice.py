@@ -13,7 +13,7 @@ from asperity import _asperity
 from asperity._arguments import floats, in_si, method_of, one_number, place
 from asperity._asperity import Scene
 from asperity._model import Model, as_model
-from asperity._table import Table
+from asperity._table import Table, aligned
 
 
 class Answer(Table):
@@ -47,12 +47,9 @@ class Answer(Table):
         return found
 
     def __str__(self) -> str:
-        widths = [max(map(len, column)) for column in zip(*self.lines, strict=True)]
-        rows = [zip(line, widths, strict=True) for line in self.lines]
-        texts = ["  ".join(f"{cell:<{width}}" for cell, width in row).rstrip() for row in rows]
         behind = {"by": self.by, "widest": self.widest, "also": self.also}
-        texts += [f"{name:<8}{text}" for name, text in behind.items() if text]
-        return "\n".join([*texts, *map(str, self.findings)])
+        texts = [f"{name:<8}{text}" for name, text in behind.items() if text]
+        return "\n".join([*aligned(self.lines), *texts, *map(str, self.findings)])
 
     def _repr_html_(self) -> str:
         head, *rows = [[escape(cell) for cell in line] for line in self.lines]

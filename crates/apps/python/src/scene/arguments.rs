@@ -9,12 +9,15 @@ use pyo3::types::PyDict;
 use crate::convert::numbers::{argument, in_si};
 use crate::convert::{Object, value_error};
 
-/// The value of a key or an option: a text, a number, or keys of its own, as of a second surface.
+/// The value of a key or an option: a text, a number, a list, or keys of its own, as of a second
+/// surface.
 #[derive(FromPyObject)]
 pub(crate) enum KeyValue {
     Text(String),
     Flag(bool),
+    Whole(i64),
     Number(f64),
+    List(Vec<KeyValue>),
     Keys(BTreeMap<String, KeyValue>),
 }
 
@@ -23,14 +26,16 @@ impl From<KeyValue> for asperity_scene::OptionValue {
         match value {
             KeyValue::Text(text) => text.into(),
             KeyValue::Flag(flag) => flag.into(),
+            KeyValue::Whole(number) => number.into(),
             KeyValue::Number(number) => number.into(),
+            KeyValue::List(list) => Self::Array(list.into_iter().map(Self::from).collect()),
             KeyValue::Keys(keys) => keys_of(keys).into(),
         }
     }
 }
 
 /// Keys with their values.
-pub(crate) fn keys_of(given: BTreeMap<String, KeyValue>) -> asperity_scene::Keys {
+pub(crate) fn keys_of(given: impl IntoIterator<Item = (String, KeyValue)>) -> asperity_scene::Keys {
     given.into_iter().map(|(name, value)| (name, value.into())).collect()
 }
 

@@ -88,7 +88,7 @@ impl SceneFile {
         accept: Vec<String>,
         curvature: Option<BTreeMap<String, KeyValue>>,
     ) -> PyResult<Self> {
-        let mut of_surface = match surface.extract() {
+        let mut of_surface = match surface.extract::<BTreeMap<_, KeyValue>>() {
             Ok(keys) => keys_of(keys),
             Err(_) => {
                 records::surface_keys(surface)?.into_iter().map(|(k, x)| (k, x.into())).collect()
