@@ -1,6 +1,6 @@
 //! Labels of keys and quantities, names of models as legends have them, and findings with these.
 
-use asperity::{Advice, Described, Finding, Findings, Model, Quantity};
+use asperity::{Advice, Described, Finding, Model, Quantity};
 use serde_json::{Value, json};
 
 /// Labels of keys whose words do not give them.
@@ -74,11 +74,6 @@ pub(crate) fn finding(found: &Finding) -> Value {
         "code": code, "severity": severity, "field": field, "quantity": quantity,
         "message": message(found),
     })
-}
-
-/// All findings as shown.
-pub(crate) fn findings(all: &Findings) -> Value {
-    all.iter().map(finding).collect()
 }
 
 #[cfg(test)]

@@ -2,11 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use asperity_scene::{SceneInput, key_of_input};
+use asperity_scene::SceneInput;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
-use crate::convert::numbers::{argument, in_si};
+use crate::convert::numbers::argument;
 use crate::convert::{Object, value_error};
 
 /// The value of a key or an option: a text, a number, a list, or keys of its own, as of a second
@@ -57,20 +56,4 @@ pub(crate) fn inputs<'n>(
     names: impl Iterator<Item = &'n String>,
 ) -> PyResult<Vec<SceneInput>> {
     file.inputs(names.map(String::as_str)).map_err(value_error)
-}
-
-/// The values of inputs by name, with numbers in SI units in the place of texts with a unit.
-pub(crate) fn inputs_in_si<'py>(
-    file: &asperity_scene::SceneFile,
-    given: &Bound<'py, PyDict>,
-) -> PyResult<Bound<'py, PyDict>> {
-    inputs(file, given.keys().extract::<Vec<String>>()?.iter())?;
-    let found = given.copy()?;
-    for (name, value) in given {
-        let unit = asperity_scene::unit_of(key_of_input(name.extract()?));
-        if let Some(unit) = unit {
-            found.set_item(name, in_si(&value, unit)?)?;
-        }
-    }
-    Ok(found)
 }
