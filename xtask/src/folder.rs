@@ -64,17 +64,6 @@ pub fn copy(from: &Path, to: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Removes a folder, if it is there.
-///
-/// # Errors
-/// A folder that cannot be removed.
-pub fn remove(folder: &Path) -> Result<()> {
-    if folder.exists() {
-        fs::remove_dir_all(folder).with_context(|| folder.display().to_string())?;
-    }
-    Ok(())
-}
-
 /// A file's name and its text.
 pub type Fresh = (String, String);
 

@@ -3,6 +3,7 @@
 //! The chapters stand in `crates/apps/web/guide/chapters.txt`, the settings of MkDocs beside.
 
 use std::collections::HashMap;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -11,7 +12,7 @@ use asperity::{Code, Described, Model, Quantity};
 
 use crate::command::{output, run};
 use crate::figures::{FIGURES, captions};
-use crate::folder::{copy, read, remove, root, target_folder, write as save};
+use crate::folder::{copy, read, root, target_folder, write as save};
 use crate::opened::links;
 use crate::table::{markdown_head, markdown_row};
 
@@ -30,7 +31,9 @@ const API: [(&str, &str); 2] =
 pub fn write() -> Result<PathBuf> {
     let (page, work) = (target_folder().join("page"), target_folder().join("guide"));
     let docs = work.join("docs");
-    remove(&docs)?;
+    if docs.exists() {
+        fs::remove_dir_all(&docs).with_context(|| docs.display().to_string())?;
+    }
     // The chapter that shows a file.
     let mut places = HashMap::from([("README.md", "index"), ("figures", "figures")]);
     for (slug, _, parts) in CHAPTERS.lines().filter_map(chapter) {

@@ -12,13 +12,8 @@ use crate::figures::{models, paper};
 const OTHER_STIFFNESS: &str =
     " (tangents; for Gao and AT the figure shows the papers' average of asperity stiffnesses)";
 
-/// A scene of a figure: what its link says, the scene, the models and the quantity.
-struct LinkedScene {
-    label: String,
-    scene: Scene,
-    models: &'static [&'static str],
-    view: &'static str,
-}
+/// A scene of a figure: what its link says, the scene, and the models.
+type LinkedScene = (String, Scene, &'static [&'static str]);
 
 /// The links of a figure of the paper, from a page of the guide; nothing of other figures.
 ///
@@ -29,43 +24,39 @@ pub fn links(figure: &str) -> Result<String> {
         return Ok(String::new());
     }
     let link = |one: &LinkedScene| -> Result<String> {
-        let label = one.label.replace("_z", "<sub>z</sub>");
-        Ok(format!("<a href=\"../index.html#s={}\">{label}</a>", link(one)?))
+        let label = one.0.replace("_z", "<sub>z</sub>");
+        Ok(format!("<a href=\"../index.html#s={}\">{label}</a>", link(one, view(figure))?))
     };
     let links = scenes(figure)?.iter().map(link).collect::<Result<Vec<_>>>()?.join(", ");
     let other = if figure.contains("stiffness") { OTHER_STIFFNESS } else { "" };
     Ok(format!("Open in the explorer: {links}{other}\n\n"))
 }
 
-/// The scenes of a figure of the paper.
-fn scenes(figure: &str) -> Result<Vec<LinkedScene>> {
-    let mut words = figure.split('-').skip(1);
-    // Loads lie on the explorer's axis, against which the force is the separation.
-    let view = match words.next() {
+/// The quantity of a figure. Loads lie on the explorer's axis, against which the force is the
+/// separation.
+fn view(figure: &str) -> &'static str {
+    match figure.split('-').nth(1) {
         Some("force") => "separation",
         Some("area") => "area-fraction",
         _ => "tangent",
-    };
-    let all = |label: &str, scene| {
-        vec![LinkedScene { label: label.into(), scene, models: &models::PAPER, view }]
-    };
-    let of_at = |std: f64| {
-        let scene = models::scene(1e-6 * std)?;
-        Ok(LinkedScene { label: paper::label(std), scene, models: &["at"], view })
-    };
-    match words.next() {
-        Some("kucharski") => Ok(all("Kucharski's steel", models::kucharski()?)),
-        Some("models") => Ok(all("nine models", models::scene(paper::ROUGHNESS)?)),
+    }
+}
+
+/// The scenes of a figure of the paper.
+fn scenes(figure: &str) -> Result<Vec<LinkedScene>> {
+    let all = |label: &str, scene| Ok(vec![(label.into(), scene, &models::PAPER[..])]);
+    let of_at = |std| Ok((paper::label(std), models::scene(1e-6 * std)?, &["at"][..]));
+    match figure.split('-').nth(2) {
+        Some("kucharski") => all("Kucharski's steel", models::kucharski()?),
+        Some("models") => all("nine models", models::scene(paper::ROUGHNESS)?),
         _ => paper::ROUGHNESSES.into_iter().map(of_at).collect(),
     }
 }
 
 /// The state of the explorer behind `#s=`.
-fn link(opened: &LinkedScene) -> Result<String> {
-    let scene = SceneFile::from(opened.scene.clone()).to_toml()?;
-    let state = json!({
-        "scene": scene, "models": opened.models, "load": "", "view": opened.view, "scan": null,
-    });
+fn link((_, scene, models): &LinkedScene, view: &str) -> Result<String> {
+    let scene = SceneFile::from(scene.clone()).to_toml()?;
+    let state = json!({ "scene": scene, "models": models, "load": "", "view": view, "scan": null });
     let answer = Desk::default().call(&json!({ "call": "link", "state": state }).to_string());
     let answer: Value = serde_json::from_str(&answer)?;
     Ok(answer["ok"].as_str().with_context(|| answer.to_string())?.to_owned())
@@ -93,8 +84,8 @@ mod tests {
         for figure in FIGURES.iter().filter(|f| f.0.starts_with("fig") && f.0.contains("models")) {
             for opened in scenes(figure.0).unwrap() {
                 let mut desk = Desk::default();
-                let state =
-                    call(&mut desk, json!({ "call": "unlink", "link": link(&opened).unwrap() }));
+                let link = link(&opened, view(figure.0)).unwrap();
+                let state = call(&mut desk, json!({ "call": "unlink", "link": link }));
                 let shown = call(&mut desk, json!({ "call": "show", "text": state["scene"] }));
                 assert!(shown["error"].is_null(), "{shown}");
                 // The load of a point of figure 5 gives the point of each figure.
@@ -113,7 +104,7 @@ mod tests {
                     let cell = cells.iter().find(|cell| cell["quantity"] == quantity).unwrap();
                     cell["digits"].as_str().unwrap().parse().unwrap()
                 };
-                let (found, wanted) = match opened.view {
+                let (found, wanted) = match view(figure.0) {
                     "separation" => (of("separation"), wanted[0]),
                     "area-fraction" => (of("area-fraction") * 3e-5, wanted[1]),
                     view => (of(view), wanted[1]),

@@ -32,8 +32,11 @@ pub const YIELDING: &str = "bem";
 /// On smooth ones.
 pub const SMOOTH: &str = "bem-smooth";
 
-/// The committed numbers but those of smooth spheres: panel, curve, alpha and the value.
-fn committed(name: &str, value: &str) -> Result<Table> {
+/// The committed numbers of a file but those of smooth spheres: panel, curve, alpha and the value.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn committed(name: &str, value: &str) -> Result<Table> {
     let mut table = Table::new(&["panel", "curve", "alpha", value]);
     let rows = rows_of(&root().join("xtask/data").join(name))?;
     for (panel, curve, alpha, value) in rows as Vec<(String, String, f64, f64)> {
@@ -42,22 +45,6 @@ fn committed(name: &str, value: &str) -> Result<Table> {
         }
     }
     Ok(table)
-}
-
-/// Models between curved bodies.
-///
-/// # Errors
-/// A file that cannot be read.
-pub fn table() -> Result<Table> {
-    committed("curved.csv", "ratio")
-}
-
-/// Models beside boundary elements.
-///
-/// # Errors
-/// A file that cannot be read.
-pub fn sphere_table() -> Result<Table> {
-    committed(SOLVED, "value")
 }
 
 /// Four panels.

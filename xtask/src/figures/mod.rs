@@ -22,7 +22,8 @@ use asperity::Quantity::{Area, Force, Stiffness};
 use asperity_plot::Figure;
 
 use crate::table::Table;
-use paper::{kucharski, models_figure, nine_models, roughness, roughness_figure};
+use models::{kucharski, scene};
+use paper::{ROUGHNESS, all_models, models_figure, roughness, roughness_figure};
 use truth::SHOWN as TRUTH;
 
 /// One figure: the name of its files, what computes its numbers, and what describes its picture
@@ -37,12 +38,16 @@ fn truth_table(which: usize) -> Result<Table> {
 /// All figures: the paper's first.
 pub const FIGURES: [FigureSpec; 25] = [
     ("fig04-force-roughness", || roughness(Force), |_| roughness_figure(Force)),
-    ("fig05-force-models", || nine_models(Force), |_| models_figure(Force)),
+    ("fig05-force-models", || all_models(Force, scene(ROUGHNESS)), |_| models_figure(Force)),
     ("fig06-area-roughness", || roughness(Area), |_| roughness_figure(Area)),
-    ("fig07-area-models", || nine_models(Area), |_| models_figure(Area)),
+    ("fig07-area-models", || all_models(Area, scene(ROUGHNESS)), |_| models_figure(Area)),
     ("fig08-stiffness-roughness", || roughness(Stiffness), |_| roughness_figure(Stiffness)),
-    ("fig09-stiffness-models", || nine_models(Stiffness), |_| models_figure(Stiffness)),
-    ("fig10-area-kucharski", kucharski, |_| models_figure(Area)),
+    (
+        "fig09-stiffness-models",
+        || all_models(Stiffness, scene(ROUGHNESS)),
+        |_| models_figure(Stiffness),
+    ),
+    ("fig10-area-kucharski", || all_models(Area, kucharski()), |_| models_figure(Area)),
     ("laws-single-asperity", laws::table, laws::style),
     ("angle-density", angles::table, angles::style),
     ("at-regime-shares", at::shares, at::shares_figure),
@@ -52,8 +57,8 @@ pub const FIGURES: [FigureSpec; 25] = [
     ("stiffness-kinds", joints::stiffness, joints::stiffness_figure),
     ("conductance-models", joints::conductance, joints::conductance_figure),
     ("conductance-metals", joints::metals, joints::metals_figure),
-    ("curved-bodies", curved::table, curved::style),
-    ("rough-sphere", curved::sphere_table, curved::sphere_style),
+    ("curved-bodies", || curved::committed("curved.csv", "ratio"), curved::style),
+    ("rough-sphere", || curved::committed(curved::SOLVED, "value"), curved::sphere_style),
     ("pairs-fits", pairs::table, pairs::style),
     (TRUTH[0].0, || truth_table(0), |csv| truth::style(csv, &TRUTH[0])),
     (TRUTH[1].0, || truth_table(1), |csv| truth::style(csv, &TRUTH[1])),

@@ -44,12 +44,9 @@ pub fn roughness(quantity: Quantity) -> Result<Table> {
     curves(quantity, &ROUGHNESSES.map(of).into_iter().collect::<Result<Vec<_>>>()?)
 }
 
-/// A quantity of all models for the paper's scene.
-pub fn nine_models(quantity: Quantity) -> Result<Table> {
-    all_models(quantity, &models::scene(ROUGHNESS)?)
-}
-
-fn all_models(quantity: Quantity, scene: &Scene) -> Result<Table> {
+/// A quantity of all models for a scene.
+pub fn all_models(quantity: Quantity, scene: Result<Scene>) -> Result<Table> {
+    let scene = scene?;
     curves(quantity, &PAPER.map(|id| (id.to_owned(), id, scene.clone())))
 }
 
@@ -71,12 +68,7 @@ pub fn roughness_figure(quantity: Quantity) -> Result<Figure> {
     Ok(figure(quantity, &curves))
 }
 
-/// The picture of [`nine_models`], and of [`kucharski`].
+/// The picture of [`all_models`].
 pub fn models_figure(quantity: Quantity) -> Result<Figure> {
     Ok(figure(quantity, &models::curves(&PAPER)?))
-}
-
-/// Area of all models for Kucharski's steel.
-pub fn kucharski() -> Result<Table> {
-    all_models(Quantity::Area, &models::kucharski()?)
 }

@@ -56,9 +56,3 @@ impl Watch for Terminal {
         requested()
     }
 }
-
-/// The terminal as it watches long work, which Ctrl-C stops.
-pub fn terminal() -> Result<Terminal> {
-    listen()?;
-    Ok(Terminal::default())
-}

@@ -57,8 +57,7 @@ impl LoadedScene {
 
     /// Solves the scan at these loads, as an input of answers.
     pub fn solve(&mut self, at: &[At]) -> Result<()> {
-        let solve = |_: &mut Sheet| solve(&self.file, at, &Terminal::default());
-        self.file.solved = self.answer(solve)?.1;
+        self.file.solved = self.answer(|_, watch| solve(&self.file, at, watch))?.1;
         Ok(())
     }
 
@@ -90,13 +89,15 @@ impl LoadedScene {
         show(&self.file.accepted(found).at_least(Severity::Warning));
     }
 
-    /// A sheet, as this function fills it; its findings are shown, also where it fails.
+    /// A sheet, as this function fills it before the terminal; its findings are shown, also where it
+    /// fails.
     pub fn answer<T, E: Into<Error>>(
         &self,
-        fill: impl FnOnce(&mut Sheet) -> Result<T, E>,
+        fill: impl FnOnce(&mut Sheet, &Terminal) -> Result<T, E>,
     ) -> Result<(Sheet, T)> {
-        let mut sheet = Sheet::default();
-        let filled = fill(&mut sheet);
+        let (mut sheet, terminal) = (Sheet::default(), Terminal::default());
+        let filled = fill(&mut sheet, &terminal);
+        drop(terminal);
         sheet.findings.retain(|one| !one.is_accepted(&self.file.spec.accept));
         show(&sheet.findings);
         print_results(&sheet.results);
@@ -112,11 +113,11 @@ impl LoadedScene {
     /// The model of this id, or the usual one, with the scene's options; an error if the scene has
     /// not what it needs.
     pub fn model(&self, requested: Option<&str>) -> Result<Model> {
-        self.answer(|_| one_model(&self.file, requested)).map(|(_, model)| model)
+        self.answer(|_, _| one_model(&self.file, requested)).map(|(_, model)| model)
     }
 
     /// The same with a note where the usual one may ignore a hardness that was forgotten.
     pub fn one_or_usual(&self, id: Option<&str>) -> Result<Model> {
-        Ok(self.answer(|sheet| one_or_usual(&self.file, &self.name, id, sheet))?.1)
+        Ok(self.answer(|sheet, _| one_or_usual(&self.file, &self.name, id, sheet))?.1)
     }
 }

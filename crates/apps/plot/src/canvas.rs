@@ -201,11 +201,7 @@ impl Canvas<'_> {
             self.text(line, (x, baseline), face);
         }
     }
-}
 
-/// Of maps.
-#[cfg(feature = "scan")]
-impl Canvas<'_> {
     /// An image that fills a rectangle, its pixels as squares, on a white ground of a class of its
     /// own: a page in the dark gives it another colour.
     pub(crate) fn image(&self, rect: &Rect, address: &str) {

@@ -56,12 +56,12 @@ pub enum PlotError {
         required: &'static str,
     },
     /// Two curves that cannot be the edges of an area.
-    #[error("curve `{curve}` cannot be an edge of an area: {required} was required")]
+    #[error(
+        "curve `{curve}` cannot be an edge of an area: one piece without gaps and with the x of the other edge was required"
+    )]
     Area {
         /// The curve.
         curve: String,
-        /// What was required.
-        required: &'static str,
     },
     /// A map with an unsuitable number of cells.
     #[error("the number of cells differs from {rows} rows of {columns} columns, or is 0")]

@@ -26,7 +26,6 @@ impl<'a> Layout<'a> {
         let title = wrap(&figure.title, TITLE, width - 2.0 * edge);
         let caption = caption_lines(&figure.caption);
         let legend = Legend::new(plots, width - 2.0 * edge);
-        let legend = (!legend.is_empty()).then_some(legend);
         let legend_height = legend.as_ref().map_or(0.0, |legend| legend.height + 4.0);
         let caption_height = if caption.is_empty() { 0.0 } else { lines_height(&caption) + 9.0 };
         let tail = legend_height + caption_height + edge;

@@ -70,8 +70,8 @@ pub(crate) struct Legend<'a> {
 }
 
 impl<'a> Legend<'a> {
-    /// The legend in as many columns as fit into a width.
-    pub(crate) fn new(plots: &'a [Plot<'a>], widest: f64) -> Self {
+    /// The legend in as many columns as fit into a width; `None` without entries.
+    pub(crate) fn new(plots: &'a [Plot<'a>], widest: f64) -> Option<Self> {
         let mut entries: Vec<Entry> = vec![];
         for entry in plots.iter().flat_map(Entry::of) {
             match entries.iter_mut().find(|known| known.label == entry.label) {
@@ -79,10 +79,10 @@ impl<'a> Legend<'a> {
                 None => entries.push(entry),
             }
         }
-        let [size, key, gap] = if widest < NARROW_WIDTH { NARROW } else { USUAL };
+        let is_narrow = widest < NARROW_WIDTH;
+        let [size, key, gap] = if is_narrow { NARROW } else { USUAL };
         let longest =
             |part: &[Entry]| part.iter().map(|entry| width(entry.label, size)).fold(0.0, f64::max);
-        let is_narrow = widest < NARROW_WIDTH;
         // Rows, where columns start, and the end; columns of a narrow picture differ in width.
         let placed = |count: usize| {
             let rows = entries.len().div_ceil(count).max(1);
@@ -96,11 +96,9 @@ impl<'a> Legend<'a> {
         let counts = (2..=entries.len()).rev().map(placed);
         let fitting = counts.into_iter().find(|(.., width)| *width <= widest);
         let (rows, columns, width) = fitting.unwrap_or_else(|| placed(1));
-        Self { rows, size, key, columns, width, height: ROW * rows as f64 + 2.0 * PAD, entries }
-    }
-
-    pub(crate) fn is_empty(&self) -> bool {
-        self.entries.is_empty()
+        let height = ROW * rows as f64 + 2.0 * PAD;
+        let is_any = !entries.is_empty();
+        is_any.then_some(Self { rows, size, key, columns, width, height, entries })
     }
 
     /// Draws the legend with its top left corner at a point.

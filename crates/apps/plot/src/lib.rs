@@ -25,18 +25,15 @@
 
 mod canvas;
 mod clip;
-#[cfg(feature = "scan")]
 mod contact;
 mod error;
 mod figure;
 mod layout;
 mod legend;
 mod looks;
-#[cfg(feature = "scan")]
 mod map;
 mod panel;
 mod ruler;
-#[cfg(feature = "scan")]
 mod scan;
 mod series;
 mod size;
@@ -47,9 +44,7 @@ mod trace;
 pub use error::PlotError;
 pub use figure::{Axis, Between, Figure, Mark, Panel, Scale, Strip};
 pub use looks::{MEASURED, look_of};
-#[cfg(feature = "scan")]
 pub use map::{Map, draw_map};
-#[cfg(feature = "scan")]
 pub use scan::{caption_of_surface, draw_material_ratio, draw_surface};
 pub use style::Curve;
 pub use text::{PREFIXES, legible, number};

@@ -8,7 +8,7 @@ use crate::error::PlotError;
 use crate::layout::{caption_lines, draw_caption, draw_title, lines_height};
 use crate::size::{EDGE, LABEL, SMALL, TICK, TITLE, WIDTH};
 use crate::style::BLACK;
-use crate::text::{CAPITAL, LINE, number, wrap};
+use crate::text::{CAPITAL, LINE, number, stepped, wrap};
 
 /// A map to be drawn.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -131,8 +131,7 @@ impl<'a> Placed<'a> {
         draw_colours(canvas, map, &bar);
         if !map.full.is_empty() {
             let swatch = Rect::sized(frame.left + 0.5 * frame.width(), below + 12.0, 12.0, 12.0);
-            let [red, green, blue] = FULL;
-            canvas.shape(&swatch.corners(), &format!("#{red:02X}{green:02X}{blue:02X}"), "");
+            canvas.shape(&swatch.corners(), &hex(FULL), "");
             let baseline = (swatch.right + 6.0, swatch.bottom);
             canvas.text(&map.full, baseline, Type::new(TICK, BLACK, "start"));
         }
@@ -174,24 +173,19 @@ fn draw_colours(canvas: &Canvas, map: &Map, bar: &Rect) {
         let share = |k: usize| k as f64 / steps as f64;
         let corners = [(0.0, share(k)), (1.0, share(k)), (1.0, share(k + 1)), (0.0, share(k + 1))];
         let corners = corners.map(|corner| bar.at(corner));
-        let [red, green, blue] = colour(map.share(low + range * share(k)));
+        let colour = hex(colour(map.share(low + range * share(k))));
         // Without gaps to its neighbours.
-        let crisp = "shape-rendering=\"crispEdges\"";
-        canvas.shape(&corners, &format!("#{red:02X}{green:02X}{blue:02X}"), crisp);
+        canvas.shape(&corners, &colour, "shape-rendering=\"crispEdges\"");
     }
     canvas.outline(bar, BLACK, 1.0);
     let step = round(range / 3.0);
-    let decimals = (-step.log10().floor()).clamp(0.0, 12.0) as usize;
     let first = (low / step - 1e-4).ceil() as i64;
     let ticks = (first..).map(|k| k as f64 * step);
     for tick in ticks.take_while(|tick| *tick <= map.top + 1e-4 * range) {
         let (x, y) = bar.at((1.0, (tick - low) / range));
         canvas.line(&[(x, y), (x + 5.0, y)], BLACK, 1.0, &[]);
-        // No minus at 0.
-        let tick = if tick.abs() < 1e-6 * step { 0.0 } else { tick };
-        let text = format!("{tick:.decimals$}").replace('-', "−");
         let face = Type::new(TICK, BLACK, "start");
-        canvas.text(&text, (x + 8.0, y + 0.5 * CAPITAL * TICK), face);
+        canvas.text(&stepped(tick, step), (x + 8.0, y + 0.5 * CAPITAL * TICK), face);
     }
     let middle = (bar.right + 62.0, 0.5 * (bar.top + bar.bottom));
     let face = Type { upward: true, ..Type::new(LABEL, BLACK, "middle") };
@@ -204,6 +198,10 @@ fn draw_colours(canvas: &Canvas, map: &Map, bar: &Rect) {
 fn round(most: f64) -> f64 {
     let power = 10f64.powf(most.log10().floor());
     [5.0, 2.0].into_iter().find(|k| k * power <= most).unwrap_or(1.0) * power
+}
+
+fn hex([red, green, blue]: [u8; 3]) -> String {
+    format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
 /// The colour of a share of the top, 0 to 1.

@@ -11,7 +11,7 @@ use plotters::coord::types::RangedCoordf64;
 
 use crate::error::PlotError;
 use crate::figure::{Axis, Scale};
-use crate::text::{number, power_of_ten};
+use crate::text::{number, power_of_ten, stepped};
 
 /// Fraction of the axis left free beyond the values.
 const AIR: f64 = 0.05;
@@ -173,11 +173,7 @@ impl ValueFormatter<f64> for Ruler {
             false => {
                 let step =
                     self.ticks.windows(2).map(|pair| pair[1] - pair[0]).next().unwrap_or(1.0);
-                // A step of 0.1 may come as 0.0999.
-                let decimals = (-(1.01 * step).log10().floor()).clamp(0.0, 12.0) as usize;
-                // No minus at 0.
-                let rounded = if along.abs() < 1e-6 * step { 0.0 } else { *along };
-                format!("{rounded:.decimals$}").replace('-', "−")
+                stepped(*along, step)
             }
         }
     }

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::error::PlotError;
-use crate::figure::{Panel, Scale};
+use crate::figure::Panel;
 use crate::style::{Colour, Curve};
 
 /// A pair of numbers: in the units of the csv, in fractions of a frame, or in pixels.
@@ -90,35 +90,25 @@ pub(crate) struct Area<'a> {
 /// Takes the curves of a panel from the table.
 pub(crate) fn curves<'a>(panel: &'a Panel, table: &CsvTable) -> Result<Vec<Series<'a>>, PlotError> {
     let (x, y) = (table.column(&panel.x.column)?, table.column(&panel.y.column)?);
-    let ends = table.ends(&panel.y.column);
     let take = |curve: &'a Curve| {
-        let rows = rows(panel, table, &curve.key)?;
-        let band = ends.map(|ends| split(table, &rows, [x, ends[0], ends[1]])).transpose()?;
-        let [first, second] = [1, 2].map(|k| move |row: &[f64; 3]| (row[0], row[k]));
-        let both = |piece: Vec<[f64; 3]>| {
-            [piece.iter().map(first).collect(), piece.iter().map(second).collect()]
-        };
-        let band = band.into_iter().flatten().filter(|piece| piece.len() > 1).map(both).collect();
-        Ok(Series { curve, pieces: points(split(table, &rows, [x, y])?), band })
+        let of = |column| pieces(panel, table, &curve.key, [x, column]);
+        let (own, mut band) = (of(y)?, vec![]);
+        if let Some([lower, upper]) = table.ends(&panel.y.column) {
+            let both = of(lower)?.into_iter().zip(of(upper)?);
+            band.extend(both.filter(|(lower, _)| lower.len() > 1).map(<[_; 2]>::from));
+        }
+        Ok(Series { curve, pieces: own, band })
     };
     panel.curves.iter().map(take).collect()
 }
 
-fn pieces(panel: &Panel, table: &CsvTable, key: &str) -> Result<Vec<Vec<Point>>, PlotError> {
-    let columns = [table.column(&panel.x.column)?, table.column(&panel.y.column)?];
-    Ok(points(split(table, &rows(panel, table, key)?, columns)?))
-}
-
-fn points(pieces: Vec<Vec<[f64; 2]>>) -> Vec<Vec<Point>> {
-    pieces.into_iter().map(|piece| piece.into_iter().map(|[x, y]| (x, y)).collect()).collect()
-}
-
-/// The rows of a curve.
-fn rows<'t>(
+/// The numbers of a curve in two columns, split at rows that lack one.
+fn pieces(
     panel: &Panel,
-    table: &'t CsvTable,
+    table: &CsvTable,
     key: &str,
-) -> Result<Vec<&'t StringRecord>, PlotError> {
+    [x, y]: [usize; 2],
+) -> Result<Vec<Vec<Point>>, PlotError> {
     let keys = table.column(&panel.curve_column)?;
     table.drawn.borrow_mut().entry(keys).or_default().insert(key.into());
     let only = panel.only.as_ref();
@@ -127,34 +117,16 @@ fn rows<'t>(
     let wanted = |row: &&StringRecord| {
         &row[keys] == key && only.is_none_or(|(column, value)| row[column] == **value)
     };
-    let found: Vec<&StringRecord> = table.rows.iter().filter(wanted).collect();
-    if found.is_empty() {
+    let mut rows = table.rows.iter().filter(wanted).peekable();
+    if rows.peek().is_none() {
         let (curve, column) = (key.into(), panel.curve_column.clone());
         return Err(PlotError::MissingCurve { curve, column });
     }
-    Ok(found)
-}
-
-/// The numbers of columns in rows, split at rows that lack one.
-fn split<const N: usize>(
-    table: &CsvTable,
-    rows: &[&StringRecord],
-    columns: [usize; N],
-) -> Result<Vec<Vec<[f64; N]>>, PlotError> {
-    let mut pieces = vec![];
-    let mut piece = vec![];
+    let (mut pieces, mut piece) = (vec![], vec![]);
     for row in rows {
-        let mut numbers = [0.0; N];
-        let mut complete = true;
-        for (number, column) in numbers.iter_mut().zip(columns) {
-            match table.number(row, column)? {
-                Some(found) => *number = found,
-                None => complete = false,
-            }
-        }
-        match complete {
-            true => piece.push(numbers),
-            false => pieces.push(std::mem::take(&mut piece)),
+        match (table.number(row, x)?, table.number(row, y)?) {
+            (Some(x), Some(y)) => piece.push((x, y)),
+            _ => pieces.push(std::mem::take(&mut piece)),
         }
     }
     pieces.push(piece);
@@ -169,26 +141,21 @@ pub(crate) fn areas<'a>(
     all: &mut [Series<'a>],
 ) -> Result<Vec<Area<'a>>, PlotError> {
     let whole = |mut pieces: Vec<Vec<Point>>, curve: &str, x: Option<&[Point]>| {
-        let required = "one piece without gaps and with the x of the other edge";
         let same = |piece: &Vec<Point>| x.is_none_or(|x| same_x(piece, x));
-        match pieces.pop().filter(|piece| pieces.is_empty() && same(piece)) {
-            Some(piece) => Ok(piece),
-            None => Err(PlotError::Area { curve: curve.into(), required }),
-        }
+        let piece = pieces.pop().filter(|piece| pieces.is_empty() && same(piece));
+        piece.ok_or_else(|| PlotError::Area { curve: curve.into() })
     };
     let mut areas = vec![];
     for between in &panel.between {
-        let lower = whole(pieces(panel, table, &between.lower)?, &between.lower, None)?;
-        let upper = whole(pieces(panel, table, &between.upper)?, &between.upper, Some(&lower))?;
+        let (x, y) = (table.column(&panel.x.column)?, table.column(&panel.y.column)?);
+        let of = |key| pieces(panel, table, key, [x, y]);
+        let lower = whole(of(&between.lower)?, &between.lower, None)?;
+        let upper = whole(of(&between.upper)?, &between.upper, Some(&lower))?;
         let colour = Curve::new(between.look, "", "").colour();
         areas.push(Area { lower, upper, colour, label: "" });
     }
     let mut below: Option<Vec<Point>> = None;
     for Series { curve, pieces, .. } in all.iter_mut().filter(|_| panel.stacked) {
-        if panel.y.scale == Scale::Log {
-            let required = "a linear vertical axis";
-            return Err(PlotError::Area { curve: curve.key.clone(), required });
-        }
         let mut upper = whole(std::mem::take(pieces), &curve.key, below.as_deref())?;
         let lower = below.unwrap_or_else(|| upper.iter().map(|point| (point.0, 0.0)).collect());
         upper.iter_mut().zip(&lower).for_each(|(up, low)| up.1 += low.1);

@@ -100,11 +100,18 @@ pub fn number(value: f64) -> String {
         return format!("{sign}{size}");
     }
     let text = format!("{size:e}");
-    match text.split_once('e').map(|(digits, exponent)| (digits, exponent.parse())) {
-        Some(("1", Ok(exponent))) => format!("{sign}{}", power_of_ten(exponent)),
-        Some((digits, Ok(exponent))) => format!("{sign}{digits}·{}", power_of_ten(exponent)),
-        _ => text,
-    }
+    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let power = power_of_ten(exponent.parse().unwrap_or(0));
+    if digits == "1" { format!("{sign}{power}") } else { format!("{sign}{digits}·{power}") }
+}
+
+/// A number with the decimals of a step, and a true minus sign.
+pub(crate) fn stepped(value: f64, step: f64) -> String {
+    // A step of 0.1 may come as 0.0999.
+    let decimals = (-(1.01 * step).log10().floor()).clamp(0.0, 12.0) as usize;
+    // No minus at 0.
+    let rounded = if value.abs() < 1e-6 * step { 0.0 } else { value };
+    format!("{rounded:.decimals$}").replace('-', "−")
 }
 
 pub(crate) fn escaped(text: &str) -> String {

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use crate::convert::{Object, UnsupportedFormat, value_error};
 
 /// The distance of points along a row and along a column: numbers, or texts with a unit.
-pub(crate) struct Spacing(pub(crate) [Distance; 2]);
+pub(crate) struct Spacing([Distance; 2]);
 
 impl<'py> FromPyObject<'_, 'py> for Spacing {
     type Error = PyErr;

@@ -43,34 +43,25 @@ impl Record for Surface {
     const CHECK: fn(&Self) -> Result<(), ContactError> = Self::check;
 }
 
+/// Numbers by their names, each with what it is in a struct to fill.
 macro_rules! fields {
-    ($($name:ident)+) => {
-        &[$(Field {
+    ($($name:ident $blank:expr,)+) => {
+        const NUMBERS: &'static [Field<Self>] = &[$(Field {
             name: stringify!($name),
             get: |of| Option::from(of.$name),
             set: |of, value| of.$name = value.into(),
-        }),+]
+        }),+];
+        const BLANK: fn() -> Self = || Self { $($name: $blank),+ };
     };
 }
 
 impl Record for Asperity {
     const CLASS: &'static str = "Asperity";
-    const NUMBERS: &'static [Field<Self>] = fields! {
-        equivalent_modulus equivalent_shear_modulus poissons_ratio hardness yield_strength
-        pressure_factor radius work_of_adhesion tangent_modulus density
-    };
-    const BLANK: fn() -> Self = || Self {
-        equivalent_modulus: 0.0,
-        equivalent_shear_modulus: None,
-        poissons_ratio: 0.0,
-        hardness: None,
-        yield_strength: None,
-        tangent_modulus: None,
-        pressure_factor: 0.0,
-        work_of_adhesion: None,
-        radius: 0.0,
-        density: None,
-    };
+    fields! {
+        equivalent_modulus 0.0, equivalent_shear_modulus None, poissons_ratio 0.0, hardness None,
+        yield_strength None, pressure_factor 0.0, radius 0.0, work_of_adhesion None,
+        tangent_modulus None, density None,
+    }
     const CHECK: fn(&Self) -> Result<(), ContactError> = |_| Ok(());
 }
 

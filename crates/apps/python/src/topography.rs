@@ -1,16 +1,34 @@
 //! `Topography`: a measured surface, from heights in memory or from a file.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use asperity_scene::MeasuredKeys;
 use asperity_topography::{
     Alignment, Estimator, Glance, Level, ReadOptions, Statistics, TopographyError,
 };
 use numpy::{PyArray1, PyArrayLikeDyn, PyArrayMethods};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
 use crate::convert::{Object, object, value_error, warn};
 use crate::reading::{Spacing, found, unit_of, unreadable};
 use crate::records::record;
+use crate::scene::arguments::{KeyValue, keys_of};
+
+/// What a file of a scan may leave out.
+const OPTIONS: [&str; 10] = [
+    "unit",
+    "pixel_size",
+    "max_missing",
+    "channel",
+    "units",
+    "columns",
+    "skip_lines",
+    "missing",
+    "factor",
+    "delimiter",
+];
 
 /// A measured surface: heights on a regular grid.
 ///
@@ -52,40 +70,23 @@ impl Topography {
         Ok(Self(made.map_err(value_error)?.with_periodic(periodic)))
     }
 
-    /// A scan from a file in one of the formats that need no other package; see ``asperity.read``.
+    /// A scan from a file in one of the formats that need no other package; see ``asperity.read``
+    /// for the keywords.
     #[staticmethod]
-    #[pyo3(signature = (path, unit=None, pixel_size=None, max_missing=0.1, channel=None, *,
-        units=None, columns=None, skip_lines=0, missing=None, factor=None, delimiter=None))]
-    #[allow(clippy::too_many_arguments, reason = "keywords of Python")]
+    #[pyo3(signature = (path, **options))]
     fn read(
         py: Python<'_>,
         path: PathBuf,
-        unit: Option<&str>,
-        pixel_size: Option<Spacing>,
-        max_missing: f64,
-        channel: Option<String>,
-        units: Option<Vec<String>>,
-        columns: Option<String>,
-        skip_lines: usize,
-        missing: Option<f64>,
-        factor: Option<f64>,
-        delimiter: Option<char>,
+        options: Option<BTreeMap<String, Option<KeyValue>>>,
     ) -> PyResult<Self> {
-        let (unit, pixel_size) = (unit.map(unit_of).transpose()?, pixel_size.map(|size| size.0));
-        let units = units.map(|units| units.iter().map(|unit| unit_of(unit)).collect());
-        let units = units.transpose()?;
-        let options = ReadOptions {
-            unit,
-            pixel_size,
-            max_missing: Some(max_missing),
-            channel,
-            units,
-            columns,
-            skip_lines,
-            missing,
-            factor,
-            delimiter,
-        };
+        let options = options.unwrap_or_default();
+        if let Some(name) = options.keys().find(|name| !OPTIONS.contains(&name.as_str())) {
+            let text = format!("read() got an unexpected keyword argument '{name}'");
+            return Err(PyTypeError::new_err(text));
+        }
+        let given = options.into_iter().filter_map(|(name, value)| Some((name, value?)));
+        let options: Result<ReadOptions, _> = keys_of(given).try_into();
+        let options = options.map_err(|error| value_error(error.message()))?;
         found(&path)?;
         let read = py.detach(|| asperity_topography::read(&path, &options));
         Ok(Self(read.map_err(unreadable)?))
@@ -231,9 +232,15 @@ impl Topography {
         smooth: Option<f64>,
         cutoff: Option<f64>,
     ) -> PyResult<Object<'py>> {
-        let (surface, glance) = self.glance(py, level, [smooth, cutoff])?;
-        let numbers = object(py, &glance)?;
-        for found in py.detach(|| surface.functional()).map_err(value_error)? {
+        let level = self.form(py, level, 0)?.unwrap_or(Level::usual(self.0.is_periodic()));
+        let report = || {
+            let surface = self.prepared(Some(level), [smooth, cutoff])?;
+            let glance = Glance::new(&self.0, level, [smooth, cutoff], &surface)?;
+            Ok((glance, surface.functional()?))
+        };
+        let found = py.detach(report).map_err(|error: TopographyError| value_error(error))?;
+        let numbers = object(py, &found.0)?;
+        for found in found.1 {
             numbers.set_item(found.name, found.value)?;
         }
         Ok(numbers)
@@ -296,35 +303,14 @@ impl Topography {
         Ok(found)
     }
 
-    /// The surface levelled and filtered, and its report.
-    fn glance(
-        &self,
-        py: Python<'_>,
-        level: Option<&str>,
-        cutoffs: [Option<f64>; 2],
-    ) -> PyResult<(asperity_topography::Topography, Glance)> {
-        let level = self.form(py, level, 0)?.unwrap_or(Level::usual(self.0.is_periodic()));
-        let glance = || {
-            let surface = self.prepared(Some(level), cutoffs)?;
-            let glance = Glance::new(&self.0, level, cutoffs, &surface)?;
-            Ok((surface, glance))
-        };
-        py.detach(glance).map_err(|error: TopographyError| value_error(error))
-    }
-
     /// The surface levelled and, with cut-offs, without shorter and longer waves.
     fn prepared(
         &self,
         level: Option<Level>,
-        [smooth, cutoff]: [Option<f64>; 2],
+        [smooth, filter]: [Option<f64>; 2],
     ) -> Result<asperity_topography::Topography, TopographyError> {
-        let mut surface = self.0.clone().levelled(level)?;
-        if let Some(length) = smooth {
-            surface = surface.smooth(length)?;
-        }
-        if let Some(length) = cutoff {
-            surface = surface.filter(length)?;
-        }
-        Ok(surface)
+        let mut keys = MeasuredKeys::default();
+        (keys.level, keys.smooth, keys.filter) = (level, smooth, filter);
+        keys.prepare(self.0.clone())
     }
 }

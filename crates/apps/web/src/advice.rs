@@ -23,7 +23,7 @@ pub(crate) const BEST: &str = Best::<Model>::ID;
 /// where that is known within ranges.
 fn against(best: &Row, row: &Row) -> Option<String> {
     let off = |column: usize| {
-        let known = best.value(column).filter(|known| !known.has_range())?;
+        let known = best.value(column).filter(|known| !known.ranged)?;
         Some(row.value(column)?.value / known.value - 1.0)
     };
     let off = [off(1), off(2)];

@@ -91,7 +91,7 @@ impl Column {
 
     /// A value as shown with all its digits in SI units.
     pub(crate) fn known(&self, known: &Known) -> Value {
-        let text = match known.ends.filter(|_| known.has_range()) {
+        let text = match known.ends.filter(|_| known.ranged) {
             ends @ Some(_) if self.head == "area_fraction" => ranged(known.value, ends, "%"),
             ends => ranged(known.value, ends, self.unit),
         };
@@ -129,7 +129,7 @@ pub(crate) struct Known {
     /// A bound on its error.
     bound: Option<f64>,
     /// Whether the ends are those of the ranges of the surface, too.
-    ranged: bool,
+    pub(crate) ranged: bool,
     /// Whether boundary elements on this scan gave it at this load.
     pub(crate) solved: bool,
 }
@@ -143,11 +143,6 @@ impl Known {
     /// Over the ranges of the surface.
     pub(crate) fn between(self, ends: [f64; 2]) -> Self {
         Self { ends: Some(ends), ranged: true, ..self }
-    }
-
-    /// Whether it varies over the ranges of the surface.
-    pub(crate) fn has_range(&self) -> bool {
-        self.ranged
     }
 }
 
@@ -205,11 +200,7 @@ fn values(scenes: &Scenes, compiled: &Compiled, places: &[At]) -> (Vec<Cells>, V
     let quantities = quantities(file);
     let is_flat = file.shape().is_none();
     let of_line = |line: &Line| -> Cells {
-        let known = |value, bound, ends: Option<[f64; 2]>| Known {
-            bound,
-            ends,
-            ..Known::new(value, false)
-        };
+        let known = |value, bound, ends| Known { value, bound, ends, ..Known::default() };
         let separation = line.separation[1].as_ref();
         let separation = separation.map(|value| known(*value, None, line.between));
         let values = line.values.iter().zip(&quantities).zip(&line.intervals);

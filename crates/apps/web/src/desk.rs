@@ -211,7 +211,7 @@ impl Desk {
             "load": load,
             "rows": rows.iter().map(shown).collect::<Value>(),
             "answer": answer,
-            "findings": labels::findings(&findings),
+            "findings": findings.iter().map(labels::finding).collect::<Value>(),
         }))
     }
 }

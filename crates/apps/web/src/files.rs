@@ -4,7 +4,7 @@ use asperity::short;
 use asperity_topography::TopographyError::{
     PixelSizeMissing, TooManyMissing, Undecided, UnitMissing, UnknownName,
 };
-use asperity_topography::{Estimator, ReadOptions, Topography, TopographyError};
+use asperity_topography::{Estimator, ReadOptions, Topography};
 
 use serde_json::{Value, json};
 
@@ -37,7 +37,9 @@ pub(crate) fn admit(name: &str, size: u64) -> Result<(), Refusal> {
 pub(crate) fn usable(name: &str, bytes: &[u8]) -> Result<Value, Refusal> {
     let refused = |reason: String| Err(Refusal::at("surface.file", format!("{name}: {reason}")));
     let read = asperity_topography::read_bytes(name, bytes, &ReadOptions::default());
-    match read.and_then(measurable) {
+    // A scan needs roughness.
+    let measured = |scan: Topography| scan.levelled(None)?.statistics(Estimator::Moments);
+    match read.and_then(measured).map(drop) {
         Ok(()) | Err(UnitMissing | PixelSizeMissing | Undecided { .. }) => Ok(Value::Null),
         Err(UnknownName { field: "channel", .. }) => Ok(Value::Null),
         Err(TooManyMissing { share, limit }) => {
@@ -55,11 +57,6 @@ pub(crate) fn usable(name: &str, bytes: &[u8]) -> Result<Value, Refusal> {
         }
         Err(error) => refused(error.to_string()),
     }
-}
-
-/// Refuses a scan without roughness.
-fn measurable(scan: Topography) -> Result<(), TopographyError> {
-    scan.levelled(None)?.statistics(Estimator::Moments).map(|_| ())
 }
 
 #[cfg(test)]
@@ -96,8 +93,9 @@ mod tests {
 
     #[test]
     fn flat_scans_and_pictures_are_not_usable() {
-        let flat = Topography::new(vec![1e-9; 64], 8, [1e-6; 2]).unwrap();
-        assert!(measurable(flat).is_err());
+        let head = String::from("# Width: 4 um\n# Height: 8 um\n# Value units: nm\n");
+        let flat = head + &"1\t1\t1\t1\n".repeat(8);
+        assert!(usable("flat.txt", flat.as_bytes()).is_err());
         assert!(usable("photo.jpg", b"\xff\xd8\xff\xe0 JFIF").is_err());
     }
 }

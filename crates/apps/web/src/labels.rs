@@ -1,6 +1,6 @@
 //! Labels of keys and quantities, names of models as legends have them, and findings with these.
 
-use asperity::{Advice, Described, Finding, Findings, Model, Quantity};
+use asperity::{Advice, Described, Finding, Model, Quantity};
 use serde_json::{Value, json};
 
 /// Labels of keys whose words do not give them.
@@ -11,36 +11,25 @@ const LABELS: [(&str, &str); 4] = [
     ("surface_height_std", "height std of the surface"),
 ];
 
-/// The label of a key or the name of a quantity.
+/// The label of a key, or the name of a quantity in tables and sentences; the tangent stiffness is
+/// that on first loading.
 pub(crate) fn term(term: &str) -> String {
-    term.parse().map_or_else(|_| label(term), quantity_name)
+    match term.parse() {
+        Ok(of @ Quantity::Tangent) => format!("{} (first loading)", of.label()),
+        Ok(of) => of.label().into(),
+        Err(_) => label(term),
+    }
 }
 
-/// The name of a model, for a variant its id, as legends have it: `KE`, `persson-fudge`.
-fn model_name(model: &Model) -> &str {
-    if model.id().contains('-') { model.id() } else { model.name() }
-}
-
-/// Name, authors and year of a model: `KE: Kogut & Etsion (2002)`.
-fn source(model: &Model) -> String {
-    let citation = model.citation();
-    format!("{}: {} ({})", model_name(model), citation.authors, citation.year)
-}
-
-/// Name, source, the differences of a variant, and range of a model.
+/// Name, for a variant the id, authors and year, the differences of a variant, and range of a model.
 pub(crate) fn model_sentence(model: &Model) -> String {
+    let (id, citation) = (model.id(), model.citation());
+    let name = if id.contains('-') { id } else { model.name() };
+    let source = format!("{name}: {} ({})", citation.authors, citation.year);
     let range = model.validity().valid_for;
     let range = (!range.is_empty()).then(|| format!("range: {range}"));
     let differences = model.variant().into_iter().map(String::from);
-    [source(model)].into_iter().chain(differences).chain(range).collect::<Vec<_>>().join("; ")
-}
-
-/// The name of a quantity in tables and sentences; the tangent stiffness is that on first loading.
-pub(crate) fn quantity_name(quantity: Quantity) -> String {
-    match quantity {
-        Quantity::Tangent => format!("{} (first loading)", quantity.label()),
-        _ => quantity.label().into(),
-    }
+    [source].into_iter().chain(differences).chain(range).collect::<Vec<_>>().join("; ")
 }
 
 /// The label of a key of scene files, without its section but with the number of a body; other
@@ -85,11 +74,6 @@ pub(crate) fn finding(found: &Finding) -> Value {
         "code": code, "severity": severity, "field": field, "quantity": quantity,
         "message": message(found),
     })
-}
-
-/// All findings as shown.
-pub(crate) fn findings(all: &Findings) -> Value {
-    all.iter().map(finding).collect()
 }
 
 #[cfg(test)]

@@ -37,7 +37,7 @@ pub(crate) fn read(text: &str, files: &HandedFiles) -> (Value, Option<SceneFile>
             let findings = file.accepted(findings);
             // Values follow from a number that cannot be meant.
             found["implausible"] = findings.are_implausible().into();
-            found["findings"] = labels::findings(&findings);
+            found["findings"] = findings.iter().map(labels::finding).collect();
             found["models"] = models(&file);
             // Of a csv of model, load, pressure and cells.
             found["head"] = answer::head(&columns, !file.unknowns().is_empty()).into();

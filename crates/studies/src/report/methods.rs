@@ -8,80 +8,39 @@ use asperity_quadrature::{gauss_kronrod, legendre};
 use super::ours::{self, Laws};
 use super::problem::{Job, NOT_FINITE, Outcome, Problem, failure};
 
-/// A method of this process.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Method {
-    /// Polynomials in the separation, built once per scene.
-    Compiled,
-    /// The same without a compiled scene: polynomials in separation and scale serve every scene.
-    Rule,
-    /// Adaptive, of 21 points, scaled against underflow and split at the kinks.
-    GaussKronrod,
-    /// 64 points on [d, d + 8σ], in plain doubles and in metres, not split at the kinks of the
-    /// law: common in published scripts, like the next.
-    Legendre64,
-    /// Parabolas over 200 equal steps on [d, d + 6σ].
-    Simpson,
-}
+/// A method of this process: its name in tables, whether it has a tolerance, and how it prepares a
+/// problem.
+pub type Method = (&'static str, bool, fn(&Laws, &Arc<Problem>, f64) -> Result<Job>);
 
-/// All methods of this process, with their names in tables.
-pub const METHODS: [(Method, &str); 5] = [
-    (Method::Compiled, "compiled"),
-    (Method::Rule, "rule"),
-    (Method::GaussKronrod, "gauss-kronrod"),
-    (Method::Legendre64, "gauss-legendre-64"),
-    (Method::Simpson, "simpson"),
+/// All methods of this process. Polynomials in the separation, built once per scene, and those in
+/// separation and scale that serve every scene; an adaptive rule of 21 points, scaled against
+/// underflow and split at the kinks; and rules that are common in published scripts, in plain
+/// doubles and in metres, not split at the kinks of the law: 64 points on [d, d + 8σ], and
+/// parabolas over 200 equal steps on [d, d + 6σ].
+pub const METHODS: [Method; 5] = [
+    ("compiled", true, |laws, problem, tolerance| ours::compiled(laws, problem, tolerance)),
+    ("rule", true, |laws, problem, tolerance| ours::rule(laws, problem, tolerance)),
+    ("gauss-kronrod", true, |_, problem, tolerance| Ok(adaptive(problem.clone(), tolerance))),
+    ("gauss-legendre-64", false, |_, problem, _| {
+        let legendre = legendre(64);
+        let nodes = legendre.nodes.iter().copied().zip(legendre.weights.iter().copied());
+        Ok(plain(problem.clone(), 8.0, nodes.collect()))
+    }),
+    ("simpson", false, |_, problem, _| Ok(plain(problem.clone(), 6.0, simpson(200)))),
 ];
 
 /// Largest number of evaluations for one integral.
 const LIMIT: usize = 20_000;
 
-impl Method {
-    /// The tolerances of its rows of the table, of these; the rules of scripts have none.
-    #[must_use]
-    pub fn settings(self, tolerances: &[f64]) -> Vec<Option<f64>> {
-        match self {
-            Self::Legendre64 | Self::Simpson => vec![None],
-            _ => tolerances.iter().copied().map(Some).collect(),
-        }
-    }
-
-    /// Prepares a problem.
-    ///
-    /// # Errors
-    /// What the library refuses.
-    pub fn prepare(
-        self,
-        laws: &Laws,
-        problem: &Arc<Problem>,
-        tolerance: Option<f64>,
-    ) -> Result<Job> {
-        match (self, tolerance) {
-            (Self::Compiled, Some(tolerance)) => ours::compiled(laws, problem, tolerance),
-            (Self::Rule, Some(tolerance)) => ours::rule(laws, problem, tolerance),
-            (_, Some(tolerance)) => Ok(adaptive(problem.clone(), tolerance)),
-            (_, None) => Ok(self.plain(problem.clone())),
-        }
-    }
-
-    /// The method of a script: one rule on a fixed range, plain doubles.
-    fn plain(self, problem: Arc<Problem>) -> Job {
-        let (sigmas, rule) = match self {
-            Self::Simpson => (6.0, simpson(200)),
-            _ => {
-                let legendre = legendre(64);
-                let nodes = legendre.nodes.iter().zip(&legendre.weights);
-                (8.0, nodes.map(|(x, w)| (*x, *w)).collect())
-            }
-        };
-        Box::new(move || {
-            let (start, width) = (problem.separation * problem.std(), sigmas * problem.std());
-            let terms = rule.iter().map(|(x, w)| w * problem.plain_integrand(start + width * x));
-            let value = problem.in_units(width * terms.sum::<f64>());
-            let found = Outcome { value, scaled: false };
-            if value.is_finite() { Ok(found) } else { Err(NOT_FINITE) }
-        })
-    }
+/// The method of a script: one rule on a fixed range, plain doubles.
+fn plain(problem: Arc<Problem>, sigmas: f64, rule: Vec<(f64, f64)>) -> Job {
+    Box::new(move || {
+        let (start, width) = (problem.separation * problem.std(), sigmas * problem.std());
+        let terms = rule.iter().map(|(x, w)| w * problem.plain_integrand(start + width * x));
+        let value = problem.in_units(width * terms.sum::<f64>());
+        let found = Outcome { value, scaled: false };
+        if value.is_finite() { Ok(found) } else { Err(NOT_FINITE) }
+    })
 }
 
 /// Parts of different sign are integrated separately, so that a tolerance relative to each can be

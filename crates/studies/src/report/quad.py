@@ -1,22 +1,10 @@
-"""scipy.integrate.quad between the given breaks; protocol in external.rs."""
+"""scipy.integrate.quad between the given breaks; protocol in scipy.rs."""
+import json
 import math
 import sys
 import time
 
 from scipy.integrate import quad
-
-
-def read_task(line):
-    cells = iter(line.split())
-    number = lambda: float(next(cells))
-    numbers = lambda count: [number() for _ in range(count)]
-    tolerance, repeats, (s, slope, scale) = number(), int(next(cells)), numbers(3)
-    breaks = numbers(int(next(cells)))
-    parts = []
-    for _ in range(int(next(cells))):
-        start, end, sign = numbers(3)
-        parts.append((start, end, sign, [numbers(3) for _ in range(int(next(cells)))]))
-    return tolerance, repeats, breaks, integrand(s, slope > 0, scale, parts)
 
 
 def integrand(s, slope, scale, parts):
@@ -49,7 +37,8 @@ def integrate(tolerance, breaks, f):
 
 
 for line in sys.stdin:
-    tolerance, repeats, breaks, f = read_task(line)
+    tolerance, repeats, breaks, of = json.loads(line)
+    f = integrand(*of)
     answer = integrate(tolerance, breaks, f)
     times = [0]
     for k in range(repeats):

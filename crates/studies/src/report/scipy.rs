@@ -1,16 +1,16 @@
 //! scipy's `quad`, when python3 has it.
 //!
 //! It integrates the scaled integrand, split at the kinks, as our adaptive rule does, and reads it
-//! as numbers from standard input, which limits it to laws that are sums of powers.
+//! as json from standard input, which limits it to laws that are sums of powers.
 
-use std::fmt::Write as _;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
 
 use anyhow::{Context, Result, bail, ensure};
-use asperity::Formula;
+use asperity::{Formula, Part};
+use serde_json::json;
 
 use super::problem::{Failure, NOT_CONVERGED, Outcome, Problem};
 use xtask::command::output;
@@ -60,25 +60,19 @@ impl Scipy {
     }
 }
 
-/// One line: tolerance, repeats, s, slope, scale, the breaks, the parts.
+/// One line of json: tolerance, repeats, the breaks, and the integrand.
 fn line((tolerance, repeats, problem): &Task) -> Result<String> {
-    let (slope, breaks) = (u8::from(problem.slope()), problem.breaks());
-    let (s, scale) = (problem.separation, problem.scale());
-    let mut line = format!("{tolerance:e} {repeats} {s:e} {slope} {scale:e}");
-    write!(line, " {}", breaks.len())?;
-    breaks.iter().try_for_each(|t| write!(line, " {t:e}"))?;
-    write!(line, " {}", problem.law.parts.len())?;
-    for part in &problem.law.parts {
+    let part = |part: &Part| {
         let Formula::Powers(powers) = &part.form else {
             bail!("a law that is not a sum of powers")
         };
+        let powers = powers.iter().map(|power| [power.coefficient, power.origin, power.exponent]);
         let (start, end) = (part.range.start, part.range.end.min(f64::MAX));
-        write!(line, " {start:e} {end:e} {:e} {}", part.sign, powers.len())?;
-        for power in powers {
-            write!(line, " {:e} {:e} {:e}", power.coefficient, power.origin, power.exponent)?;
-        }
-    }
-    Ok(line + "\n")
+        Ok(json!([start, end, part.sign, powers.collect::<Vec<_>>()]))
+    };
+    let parts = problem.law.parts.iter().map(part).collect::<Result<Vec<_>>>()?;
+    let integrand = json!([problem.separation, problem.slope(), problem.scale(), parts]);
+    Ok(json!([tolerance, repeats, problem.breaks(), integrand]).to_string() + "\n")
 }
 
 /// Reads a line: value, 1 for converged, time.

@@ -51,12 +51,12 @@ pub fn write(solve_missing: bool, anew: bool) -> Result<Vec<PathBuf>> {
     ];
     let named = |(name, table): (&str, Option<String>)| Some((format!("truth{name}.md"), table?));
     let own = Evidence::COLUMNS.split(',').count();
-    let cells = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
-    let parts: Vec<_> = cells
-        .map(|cells| [&cells[..own], &cells[own..]].map(|part| part.join(",") + "\n"))
-        .collect();
-    let part = |k: usize| parts.iter().map(|parts| &*parts[k]).collect::<String>();
-    let files = [("truth.csv".to_owned(), part(0)), ("truth-models.csv".to_owned(), part(1))];
+    let part = |is_own: bool| -> String {
+        let cells = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        cells.map(|row| if is_own { &row[..own] } else { &row[own..] }.join(",") + "\n").collect()
+    };
+    let files =
+        [("truth.csv".to_owned(), part(true)), ("truth-models.csv".to_owned(), part(false))];
     let mut paths = save(&root().join(DATA), files)?;
     paths.extend(save(&figures_folder(), tables.into_iter().filter_map(named))?);
     Ok(paths)

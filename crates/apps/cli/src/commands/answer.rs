@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use asperity::{At, Code, Quantity, Severity, Tolerance};
-use asperity_answer::{Sheet, lines, scene_findings, title, with_ranges};
+use asperity_answer::{Sheet, Watch, lines, scene_findings, title, with_ranges};
 use clap::Args;
 
 use crate::input::args::{OutputArgs, approaches, check_approaches, loads};
@@ -12,7 +12,6 @@ use crate::input::distances::metre;
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load_or_tension, pressure_or_tension};
 use crate::interrupt::Terminal;
-use crate::output::progress;
 use crate::output::table::{self, Format};
 use crate::scene::LoadedScene;
 
@@ -60,7 +59,7 @@ struct Loads {
 impl Answer {
     pub fn run(self) -> Result<()> {
         let mut scene = LoadedScene::open(&self.scene)?;
-        check_approaches("answer", scene.file.shape().is_some(), &self.place.approaches);
+        check_approaches(scene.file.shape().is_some(), &self.place.approaches);
         let at = loads(&self.place.loads, &self.place.pressures);
         let at: Vec<At> = at.chain(approaches(&self.place.approaches)).collect();
         if self.solve {
@@ -68,8 +67,8 @@ impl Answer {
         }
         let file = &scene.file;
         let asked = asperity_answer::Answer::new(file, &self.quantities, at, Tolerance::default());
-        let working = progress("models");
-        let fill = |sheet: &mut Sheet| {
+        let fill = |sheet: &mut Sheet, watch: &Terminal| {
+            watch.progress("models");
             sheet.extend(scene_findings(file, true));
             if self.all {
                 // Every model at every point of ranges takes minutes.
@@ -94,7 +93,6 @@ impl Answer {
             Ok(Some(basis))
         };
         let (sheet, basis) = scene.answer(fill)?;
-        drop(working);
         let (Format::Table, Some(basis)) = (self.output.format(), basis) else {
             return self.output.write(&sheet);
         };

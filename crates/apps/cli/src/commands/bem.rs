@@ -4,17 +4,16 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use asperity::Quantity;
-use asperity::bem::{Bem, LoadCase, Solution};
+use asperity::bem::{Bem, BemOptions, Continuation, LoadCase, Solution};
 use asperity_answer::{Press, sealing};
 use asperity_plot::draw_map;
-use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
-use crate::input::args::{EndArgs, OutputArgs, PressArgs, file_ending, svg_file};
+use crate::input::args::{EndArgs, OutputArgs, continuation, file_ending, loads, svg_file};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load, pressure};
-use crate::input::usage_error;
-use crate::interrupt::{self, terminal};
+use crate::input::refuse;
+use crate::interrupt;
 use crate::output::{self, contact_map, show};
 use crate::scene::LoadedScene;
 
@@ -31,8 +30,15 @@ pub struct BemCommand {
     end: EndArgs,
     #[command(flatten)]
     places: Places,
-    #[command(flatten)]
-    press: PressArgs,
+    /// Beyond the edges of the scan that bem presses: periodic (repeated as it is, with steps),
+    /// periodic-part (its periodic component) or free (a single body) [default: periodic if the
+    /// scene says periodic = true; otherwise periodic-part if the edges do not match, free if they
+    /// do but the slopes there do not, as of a ball, and periodic if both do]
+    #[arg(long, value_name = "WHAT", value_parser = continuation())]
+    boundary: Option<Continuation>,
+    /// Press the scan by bem without the hardness: elastic, with unlimited pressures
+    #[arg(long)]
+    elastic: bool,
     /// Add tangent (or stiffness, the same: the slope of first loading; where contacts yield the
     /// chord between pressures up to 5 % to either side, by two more solutions), quantities of
     /// joints (unloading-stiffness, tangential-stiffness, thermal-conductance,
@@ -85,44 +91,32 @@ struct Places {
     loads: Vec<Numbers>,
 }
 
-impl Places {
-    /// The pressures on the nominal area, and so on the scan.
-    fn pressures(&self, nominal_area: f64) -> Vec<f64> {
-        let pressures = self.pressures.iter().flat_map(|list| &list.0).copied();
-        let loads = self.loads.iter().flat_map(|list| &list.0);
-        pressures.chain(loads.map(|load| load / nominal_area)).collect()
-    }
-}
-
 impl BemCommand {
     pub fn run(self) -> Result<()> {
-        let scene =
-            LoadedScene::load_scan(&self.scene, self.press.options())?.taken_at(&self.end)?;
-        let pressures = self.places.pressures(scene.file.scene.nominal_area);
-        for (name, path) in [("--picture", &self.picture), ("--flow-picture", &self.flow_picture)] {
-            if path.is_some() && pressures.len() > 1 {
-                let text = format!("{name} draws one load, not {}", pressures.len());
-                usage_error("bem", ErrorKind::ArgumentConflict, &text);
-            }
-        }
-        if self.samples.is_some() && !self.places.sealing_pressure {
-            let text = "--samples needs --sealing-pressure";
-            usage_error("bem", ErrorKind::ArgumentConflict, text);
-        }
+        let given = BemOptions { boundary: self.boundary, elastic: self.elastic };
+        let scene = LoadedScene::load_scan(&self.scene, given)?.taken_at(&self.end)?;
+        let places = loads(&self.places.loads, &self.places.pressures);
+        let pressures = places.filter_map(|at| at.pressure(&scene.file.scene));
+        let given: Vec<LoadCase> = pressures.map(LoadCase::MeanPressure).collect();
+        let (count, is_seal) = (given.len(), self.places.sealing_pressure);
+        let one = |name: &str| format!("{name} draws one load, not {count}");
+        refuse([
+            (self.picture.is_some() && count > 1, one("--picture")),
+            (self.flow_picture.is_some() && count > 1, one("--flow-picture")),
+            (self.samples.is_some() && !is_seal, "--samples needs --sealing-pressure".into()),
+        ]);
         let bem = scene.bem()?;
         show(&bem.note());
-        if self.places.sealing_pressure {
+        interrupt::listen()?;
+        if is_seal {
             return self.seal(&scene, &bem);
         }
-        let given: Vec<LoadCase> = pressures.iter().copied().map(LoadCase::MeanPressure).collect();
         let press = Press {
             refine: self.refine,
             keep: [&self.map, &self.picture, &self.flow_picture].into_iter().any(Option::is_some),
             ..Press::new(&scene.file, &bem, &given, &self.quantities)
         };
-        let watch = terminal()?;
-        let (sheet, solutions) = scene.answer(|sheet| press.solve(sheet, &watch))?;
-        drop(watch);
+        let (sheet, solutions) = scene.answer(|sheet, watch| press.solve(sheet, watch))?;
         if !sheet.rows.is_empty() {
             self.output.write(&sheet)?;
             if let Some(path) = &self.map {
@@ -135,18 +129,15 @@ impl BemCommand {
             }
         }
         if sheet.rows.is_empty() || interrupt::requested() {
-            let (done, all) = (sheet.rows.len(), pressures.len());
-            interrupt::end_with(&format!("{done} of {all} loads are solved"));
+            interrupt::end_with(&format!("{} of {count} loads are solved", sheet.rows.len()));
         }
         Ok(())
     }
 
     /// Sealing pressures of samples of the scan.
     fn seal(&self, scene: &LoadedScene, bem: &Bem) -> Result<()> {
-        let (watch, samples) = (terminal()?, self.samples.unwrap_or(SAMPLES).into());
-        let fill = |sheet: &mut _| sealing((&scene.file, bem), samples, sheet, &watch);
-        let (sheet, heaviest) = scene.answer(fill)?;
-        drop(watch);
+        let (of, samples) = ((&scene.file, bem), self.samples.unwrap_or(SAMPLES).into());
+        let (sheet, heaviest) = scene.answer(|sheet, watch| sealing(of, samples, sheet, watch))?;
         if sheet.rows.is_empty() {
             interrupt::end_with("fewer than two samples are solved");
         }

@@ -11,12 +11,11 @@ use asperity_answer::{
 };
 use asperity_scene::{SceneFile, column_of};
 use clap::Args;
-use clap::error::ErrorKind;
 
 use crate::commands::pull_off::pull_off;
-use crate::input::args::{DrawnArgs, ModelArgs, model_id, patch_file};
-use crate::input::usage_error;
+use crate::input::args::{DrawnArgs, ModelArgs, file_ending, model_id};
 use crate::input::varied::Varied;
+use crate::input::{refuse, usage_error};
 use crate::interrupt::Terminal;
 use crate::output::plot::Plot;
 use crate::output::table::csv;
@@ -37,6 +36,8 @@ const OF_BODIES: [Quantity; 7] = [
     Quantity::Tangent,
 ];
 
+/// How patches are written.
+const PATCH: &str = "the patch is written as csv, and drawn as svg";
 /// The column that tells scenes apart.
 const SCENE: &str = "scene";
 
@@ -81,7 +82,8 @@ pub struct Curve {
     pull_off: bool,
     /// Also write the patch of curved bodies, of one model at one load: as csv pressures,
     /// separations, area fractions and the tangential flexibility of the layer, as svg a picture
-    #[arg(long, value_name = "FILE.csv|svg", value_parser = patch_file(), requires = "given")]
+    #[arg(long, value_name = "FILE.csv|svg", requires = "given")]
+    #[arg(value_parser = file_ending(&["csv", "svg"], PATCH))]
     profile: Option<PathBuf>,
     #[command(flatten)]
     output: DrawnArgs,
@@ -90,17 +92,12 @@ pub struct Curve {
 impl Curve {
     pub fn run(self) -> Result<()> {
         let ids = &self.asked.models;
-        if self.asked.is_nowhere() && ids.iter().any(|id| id == Bem::ID) {
-            let text =
-                "bem solves a contact for each place: give --load, --pressure or --separation";
-            usage_error("curve", ErrorKind::MissingRequiredArgument, text);
-        }
         let [first, others @ ..] = &self.asked.scenes[..] else { return Ok(()) };
         let is_of_one = self.plan || self.pull_off || self.profile.is_some();
-        if is_of_one && !others.is_empty() {
-            let text = "--plan, --pull-off and --profile take one scene";
-            usage_error("curve", ErrorKind::ArgumentConflict, text);
-        }
+        let needed = "bem solves a contact for each place: give --load, --pressure or --separation";
+        let alone = "--plan, --pull-off and --profile take one scene";
+        let is_bem_nowhere = self.asked.is_nowhere() && ids.iter().any(|id| id == Bem::ID);
+        refuse([(is_bem_nowhere, needed), (is_of_one && !others.is_empty(), alone)]);
         if self.plan {
             return self.print_plan(first);
         }
@@ -146,7 +143,7 @@ impl Curve {
             named => named.to_vec(),
         };
         let fill = |file: &_, sheet: &mut _| self.answer(file, (&ids, &request), sheet);
-        let (sheet, ()) = scene.answer(|sheet| match &self.vary {
+        let (sheet, ()) = scene.answer(|sheet, _| match &self.vary {
             Some(Varied { name, values }) => at_values(&scene.file, (name, values), sheet, fill),
             None => with_ranges(&scene.file, sheet, fill),
         })?;
@@ -161,8 +158,7 @@ impl Curve {
         let ([id], [At::Load(load)], Some(_)) =
             (&self.asked.models[..], &request.at[..], scene.file.shape())
         else {
-            let text = "--profile is of one --model at one --load, of a scene with [curvature]";
-            usage_error("curve", ErrorKind::ArgumentConflict, text);
+            usage_error("--profile is of one --model at one --load, of a scene with [curvature]");
         };
         let (file, note) = scene.file.taken_at("middle")?;
         let note = note.into_iter().map(|note| note.from_origin("--profile"));
@@ -227,7 +223,7 @@ impl Curve {
     fn print_plan(&self, path: &Path) -> Result<()> {
         let scene = LoadedScene::load(path, &[])?;
         let request = self.asked.request(&scene.file, &linspace(0.0, 4.0, 401), &USUAL);
-        let find = |sheet: &mut _| {
+        let find = |sheet: &mut _, _: &_| {
             models(&scene.file, &self.asked.models, SceneFile::models, &request.quantities, sheet)
         };
         let mut plans = String::new();

@@ -7,13 +7,12 @@ use asperity::{At, Separation, Tolerance};
 use asperity_answer::{AnswerError, Export, Nodes, Sheet, TableFormat, UnitSystem};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::error::ErrorKind;
 
 use crate::input::args::{EndArgs, model_id};
 use crate::input::distances::{Length, metre, warn_unit};
 use crate::input::lists::{Span, range, range_or_list};
 use crate::input::numbers::{load, number, pressure, share_above_0};
-use crate::input::{usage_error, valid};
+use crate::input::{refuse, valid};
 use crate::interrupt::Terminal;
 use crate::output;
 use crate::scene::LoadedScene;
@@ -100,19 +99,14 @@ impl ExportCommand {
         let span = spans.into_iter().find_map(|span| span).context("a range was required")?;
         let place = |value| if load.is_some() { At::Load(value) } else { At::Pressure(value) };
         let listed: Vec<At> = loads.iter().flat_map(|(_, list)| list).copied().map(place).collect();
-        if self.solve && listed.is_empty() {
-            let text = "--solve needs a list of loads or pressures: v,v";
-            usage_error("export", ErrorKind::MissingRequiredArgument, text);
-        }
-        let is_film = self.format == TableFormat::Film;
-        if span.count.is_none() && (is_film || self.max_error.is_none()) {
-            let text = match is_film {
-                true => "a table of films needs the number of its nodes: A:B:N",
-                false => "A:B needs --max-error, or a number of nodes: A:B:N",
-            };
-            usage_error("export", ErrorKind::MissingRequiredArgument, text);
-        }
-        valid("export", self.format.check(self.conductance));
+        let (is_film, is_uncounted) = (self.format == TableFormat::Film, span.count.is_none());
+        let needed = "A:B needs --max-error, or a number of nodes: A:B:N";
+        refuse([
+            (self.solve && listed.is_empty(), "--solve needs a list of loads or pressures: v,v"),
+            (is_uncounted && is_film, "a table of films needs the number of its nodes: A:B:N"),
+            (is_uncounted && self.max_error.is_none(), needed),
+        ]);
+        valid(self.format.check(self.conductance));
         let scene = LoadedScene::load(&self.scene, std::slice::from_ref(&self.model))?;
         let mut scene = scene.taken_at(&self.end)?;
         if self.solve {
@@ -143,14 +137,12 @@ impl ExportCommand {
             units: self.units,
             conductance: self.conductance,
         };
-        let watch = Terminal::default();
-        let fill = |sheet: &mut Sheet| match export.answer(sheet, &watch) {
+        let fill = |sheet: &mut Sheet, watch: &Terminal| match export.answer(sheet, watch) {
             // About the format, not about the scene.
             Err(AnswerError::Reason(reason)) => Err(Error::msg(reason)),
             answer => Ok(answer?),
         };
         let (_, found) = scene.answer(fill)?;
-        drop(watch);
         output::write_text(self.output.as_deref(), &found.text)
     }
 }

@@ -1,24 +1,22 @@
 //! `asperity fit`: numbers of a scene from measurements.
 
 use asperity::Code;
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use asperity::bem::Bem;
 use asperity::fit::{Data, FitError, Fitted, Observation, Progress, rank};
 use asperity::{Described, Model};
-use asperity_answer::{Cell, Sheet};
+use asperity_answer::{Cell, Sheet, Watch};
 use asperity_scene::{Free, SceneError, read_measurements};
 use clap::Args;
 
 use crate::input::args::{DrawnArgs, EndArgs, model_id};
-use crate::input::valid;
-use crate::interrupt;
-use crate::output::fit_report::table;
+use crate::input::usage_error;
+use crate::interrupt::{self, Terminal};
 use crate::output::plot::{PANEL, POINTS, Plot};
 use crate::output::table::Format;
-use crate::output::{self, progress, show};
+use crate::output::{self, show};
 use crate::scene::LoadedScene;
 
 /// Fit numbers of the scene to measurements, with intervals, and rank models
@@ -49,8 +47,9 @@ impl FitCommand {
         let name = self.data.display().to_string();
         let data = scene.file.data(&read_measurements(&self.data)?).context(name.clone())?;
         if self.models.iter().any(|id| id == Bem::ID) {
-            let text = "--model bem: boundary elements are not fitted; `asperity list models` lists other models";
-            valid("fit", Err(text))
+            usage_error(
+                "--model bem: boundary elements are not fitted; `asperity list models` lists other models",
+            );
         }
         let models: Vec<Model> = match &self.models[..] {
             [] => vec![scene.one_or_usual(None)?],
@@ -80,16 +79,13 @@ impl FitCommand {
         let mut fitted = vec![];
         for model in models {
             let id = model.id();
-            let bar = progress(id);
-            let mut watch = |state: &Progress| {
+            let terminal = Terminal::default();
+            terminal.progress(id);
+            let mut step = |state: &Progress| {
                 let (starts, evaluations) = (state.starts.max(1), state.evaluations);
-                bar.set_message(format!("{id}: start {starts}, {evaluations} evaluations"));
-                match interrupt::requested() {
-                    true => ControlFlow::Break(()),
-                    false => ControlFlow::Continue(()),
-                }
+                terminal.step(&format!("{id}: start {starts}, {evaluations} evaluations"))
             };
-            match scene.file.fit(model, data, &self.free, &mut watch) {
+            match scene.file.fit(model, data, &self.free, &mut step) {
                 Ok(found) => fitted.push(found),
                 Err(SceneError::Fit(FitError::Interrupted)) => return Ok((fitted, true)),
                 Err(error @ SceneError::Fit(FitError::NoStart { .. })) if models.len() > 1 => {
@@ -98,7 +94,7 @@ impl FitCommand {
                 Err(error) => {
                     let place = match &error {
                         SceneError::Input { .. } | SceneError::Fit(FitError::Parameter { .. }) => {
-                            valid("fit", Err(format!("--free: {error}")))
+                            usage_error(&format!("--free: {error}"))
                         }
                         SceneError::Fit(_) => name.into(),
                         _ => scene.name.clone(),
@@ -128,6 +124,22 @@ impl FitCommand {
             _ => output.write(&table(ranked)),
         })
     }
+}
+
+/// One row for each model and parameter.
+fn table(ranked: &[Fitted]) -> Sheet {
+    let mut table =
+        Sheet::new(&["model", "parameter", "value", "lower", "upper", "unit", "rms", "bic"]);
+    for one in ranked {
+        for found in &one.parameters {
+            let [value, lower, upper] =
+                [Some(found.value), found.lower, found.upper].map(Cell::from);
+            let others =
+                [value, lower, upper, (&*found.unit).into(), one.rms.into(), one.bic.into()];
+            table.add(&[&one.model, &found.name], others);
+        }
+    }
+    table
 }
 
 /// Points of a model's curve.

@@ -65,28 +65,20 @@ pub struct Generate {
 
 impl Generate {
     pub fn run(self) -> Result<()> {
-        let surface = valid("generate", self.surface());
+        let surface = valid(self.surface());
         let [columns, rows] = self.size;
         let [dx, dy] = self.pixel;
         let side = (columns as f64 * dx).max(rows as f64 * dy);
         let gradient = (2.0 * surface.moments().m2).sqrt();
         if gradient > 1.0 {
             let gradient = rounded(gradient);
-            output::warn(
-                Code::UnusualSize,
-                format!(
-                    "the rms gradient is {gradient} (usual: at most 1): half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short"
-                ),
-            );
+            let text = "half-space contact assumes slopes well below 1; reduce --sq or --gradient, or lengthen --short";
+            let found = format!("the rms gradient is {gradient} (usual: at most 1): {text}");
+            output::warn(Code::UnusualSize, found);
         }
         if self.long > side {
-            let side = rounded(side);
-            output::warn(
-                Code::LongWaves,
-                format!(
-                    "waves up to --long do not fit on the surface of {side} m; those up to its side are made"
-                ),
-            );
+            let made = format!("surface of {} m; those up to its side are made", rounded(side));
+            output::warn(Code::LongWaves, format!("waves up to --long do not fit on the {made}"));
         }
         for (option, key, value) in [
             ("--long", "wavelength", Some(self.long)),
@@ -100,7 +92,7 @@ impl Generate {
                 output::show([&found]);
             }
         }
-        let map = valid("generate", surface.map([rows, columns]));
+        let map = valid(surface.map([rows, columns]));
         let shape = map.shape();
         if self.output.extension().is_some_and(|end| end.eq_ignore_ascii_case("x3p")) {
             let surface = Topography::new(map.heights().to_vec(), shape[1], self.pixel)?;

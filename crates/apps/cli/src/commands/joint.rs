@@ -9,14 +9,13 @@ use asperity::{At, Described, Model, SeparationUnit, Tolerance};
 use asperity_answer::{Amplitude, Sheet, Slip, history, of_joint, unloading};
 use asperity_plot::draw_map;
 use clap::Args;
-use clap::error::ErrorKind;
 
 use crate::input::args::{DrawnArgs, EndArgs, file_ending, loads, model_id};
 use crate::input::distances::{Distances, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{count_up_to, friction, length, load, pressure};
-use crate::input::usage_error;
-use crate::interrupt::terminal;
+use crate::input::{refuse, usage_error};
+use crate::interrupt::listen;
 use crate::output::plot::Plot;
 use crate::output::{self, contact_map, once};
 use crate::scene::LoadedScene;
@@ -122,44 +121,35 @@ impl Joint {
         let scene = LoadedScene::load(&self.scene, ids)?.taken_at(&self.end)?;
         let model = scene.one_or_usual(self.model.as_deref())?;
         let (laws, is_scan) = (once(&self.laws), model.id() == Bem::ID);
-        if is_scan && laws != [UnloadingLaw::Hertz] {
-            let text = "bem follows the contact itself; leave out --law";
-            usage_error("joint", ErrorKind::ArgumentConflict, text);
-        }
-        if is_scan && self.history {
-            let text = "bem opens from one load; leave out --history";
-            usage_error("joint", ErrorKind::ArgumentConflict, text);
-        }
-        if self.friction.is_some() && laws.len() > 1 {
-            usage_error("joint", ErrorKind::TooManyValues, "slip follows one law; give one --law");
-        }
+        let has_law = laws != [UnloadingLaw::Hertz];
+        refuse([
+            (is_scan && has_law, "bem follows the contact itself; leave out --law"),
+            (is_scan && self.history, "bem opens from one load; leave out --history"),
+            (self.friction.is_some() && laws.len() > 1, "slip follows one law; give one --law"),
+        ]);
         let places = self.place.all(&scene, &model);
         let at = places.first().copied().unwrap_or(At::from(2.0));
-        let model = scene.answer(|sheet| of_joint(&scene.file, model, at, sheet))?.1;
-        if self.stick_map.is_some() && (!is_scan || places.len() > 1) {
-            let text = "--stick-map needs --model bem and one load";
-            usage_error("joint", ErrorKind::ArgumentConflict, text);
-        }
+        let model = scene.answer(|sheet, _| of_joint(&scene.file, model, at, sheet))?.1;
+        let is_map_of_none = self.stick_map.is_some() && (!is_scan || places.len() > 1);
+        refuse([(is_map_of_none, "--stick-map needs --model bem and one load")]);
         let subject = scene.subject(&model, Tolerance::default());
         if let Some(friction) = self.friction {
             return self.slip(&scene, &Slip { subject, law: laws[0], friction }, &places);
         }
         if self.history {
-            let (sheet, ()) = scene.answer(|sheet| history(&subject, &laws, &places, sheet))?;
+            let (sheet, ()) = scene.answer(|sheet, _| history(&subject, &laws, &places, sheet))?;
             let from = scene.file.plane();
             let columns = ["force_N", "stiffness_N_per_m"];
             let plot = Plot::new(&["model", "law"], "separation_m", &columns).from(from);
             return self.output.write(&sheet, || plot.svg(&sheet));
         }
         let [closest] = places[..] else {
-            let text = "give one closest approach, --load or --pressure; --history takes several";
-            usage_error("joint", ErrorKind::TooManyValues, text)
+            usage_error("give one closest approach, --load or --pressure; --history takes several")
         };
         let retreats = self.retreat.as_ref().map(|list| (&list.value[..], list.unit));
-        let watch = terminal()?;
-        let fill = |sheet: &mut _| unloading(&subject, &laws, closest, retreats, sheet, &watch);
-        let (sheet, ()) = scene.answer(fill)?;
-        drop(watch);
+        listen()?;
+        let (sheet, ()) = scene
+            .answer(|sheet, watch| unloading(&subject, &laws, closest, retreats, sheet, watch))?;
         let columns = ["force_N", "area_m2", "stiffness_N_per_m"];
         let plot = Plot::new(&["model", "law"], "retreat_m", &columns);
         self.output.write(&sheet, || plot.svg(&sheet))
@@ -169,12 +159,15 @@ impl Joint {
         let height_std = scene.file.scene.surface.asperity_height_std;
         let (shift, metres) = (self.cycle.amplitude.as_slice(), SeparationUnit::Metres);
         warn_unit("amplitude", shift, metres, height_std);
-        let amplitudes = self.amplitudes();
+        let forces = self.cycle.tangential_force.iter().flat_map(|list| &list.0);
+        let forces = forces.copied().map(Amplitude::Force);
+        let amplitudes = self.cycle.amplitude.map(Amplitude::Shift).into_iter().chain(forces);
+        let amplitudes: Vec<Amplitude> = amplitudes.collect();
         let is_scan = slip.subject.id() == Bem::ID;
         let points = self.points.unwrap_or(POINTS[usize::from(is_scan)]);
-        let watch = terminal()?;
-        let fill = |sheet: &mut Sheet| slip.answer(preloads, &amplitudes, points, sheet, &watch);
-        let (sheet, states) = scene.answer(fill)?;
+        listen()?;
+        let (sheet, states) = scene
+            .answer(|sheet, watch| slip.answer(preloads, &amplitudes, points, sheet, watch))?;
         if let Some(path) = &self.stick_map {
             let scan = scene.bem()?;
             if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy")) {
@@ -184,7 +177,6 @@ impl Joint {
                 output::write_text(Some(path), &draw_map(&map)?)?;
             }
         }
-        drop(watch);
         self.output.write(&sheet, || {
             if sheet.column("shift_m").is_some() {
                 let plot = Plot::new(&["path"], "shift_m", &["tangential_force_N"]);
@@ -197,12 +189,6 @@ impl Joint {
             }
             .svg(&sheet)
         })
-    }
-
-    fn amplitudes(&self) -> Vec<Amplitude> {
-        let shift = self.cycle.amplitude.map(Amplitude::Shift);
-        let forces = self.cycle.tangential_force.iter().flat_map(|list| &list.0);
-        shift.into_iter().chain(forces.copied().map(Amplitude::Force)).collect()
     }
 }
 

@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use asperity_answer::ALL_MODELS;
 
 use crate::input::args::{ModelArgs, OutputArgs};
-use crate::input::valid;
+use crate::input::refuse;
 use crate::output::once;
 use crate::scene::LoadedScene;
 
@@ -26,13 +26,12 @@ pub fn pull_off(asked: &ModelArgs, path: &Path, output: &OutputArgs) -> Result<(
     let mut models = vec![];
     for id in once(&ids) {
         let model = scene.model(Some(&id))?;
-        if !model.validity().adhesive {
-            let text = format!("{id} has no adhesion; use dmt, jkr or jkr-separation");
-            valid("curve", Err(text))
-        }
+        let text = format!("{id} has no adhesion; use dmt, jkr or jkr-separation");
+        refuse([(!model.validity().adhesive, text)]);
         models.push(model);
     }
-    let (sheet, ()) = scene
-        .answer(|sheet| asperity_answer::pull_off(&scene.file, &models, asked.tolerance, sheet))?;
+    let (sheet, ()) = scene.answer(|sheet, _| {
+        asperity_answer::pull_off(&scene.file, &models, asked.tolerance, sheet)
+    })?;
     output.write(&sheet)
 }

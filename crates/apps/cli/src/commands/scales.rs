@@ -5,22 +5,9 @@ use asperity::Code;
 use asperity_answer::{Blanks, Sheet};
 use asperity_scene::MeasuredKeys;
 use asperity_topography::{Statistics, Topography};
-use clap::Args;
 
-use crate::input::lists::{Numbers, all};
-use crate::input::numbers::length;
 use crate::output;
 use crate::output::plot::Plot;
-
-/// Statistics of a surface against the short-wavelength cut-off.
-#[derive(Debug, Args)]
-pub struct Scales {
-    /// Tabulate the asperities against the short-wavelength cut-off: N cut-offs from A to B, in m,
-    /// or with a unit
-    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(length))]
-    #[arg(conflicts_with_all = ["smooth", "scene"])]
-    scales: Option<Numbers>,
-}
 
 /// A number of a surface.
 type Number = fn(&Statistics) -> Option<f64>;
@@ -34,35 +21,28 @@ const COLUMNS: [(&str, Number); 5] = [
 ];
 const CUTOFF: &str = "cutoff_m";
 
-impl Scales {
-    pub fn is_requested(&self) -> bool {
-        self.scales.is_some()
-    }
-
-    /// The table of a scan, prepared by these keys with each cut-off.
-    pub fn table(&self, scan: &Topography, keys: &MeasuredKeys) -> Result<Sheet> {
-        let cutoffs = self.scales.as_ref().map_or(&[][..], |numbers| &numbers.0);
-        let (mut table, mut blanks) = (Sheet::new(&[CUTOFF]), Blanks::default());
-        table.heads.extend(COLUMNS.iter().map(|(name, _)| (*name).to_string()));
-        for &cutoff in cutoffs {
-            let mut keys = keys.clone();
-            keys.smooth = Some(cutoff);
-            let smooth = keys.prepare(scan.clone());
-            let found = smooth.and_then(|smooth| smooth.statistics(keys.estimator));
-            let number = |(_, number): (&str, Number)| number(found.as_ref().ok()?);
-            let numbers = COLUMNS.map(number);
-            if let Err(reason) = found.and_then(|statistics| statistics.surface()) {
-                let text = format!("{CUTOFF} {cutoff:e}: {reason}");
-                blanks.count("value", std::mem::discriminant(&reason), text);
-            }
-            table.add(&[], [Some(cutoff)].into_iter().chain(numbers));
+/// The table of a scan, prepared by these keys with each cut-off.
+pub fn table(cutoffs: &[f64], scan: &Topography, keys: &MeasuredKeys) -> Result<Sheet> {
+    let (mut table, mut blanks) = (Sheet::new(&[CUTOFF]), Blanks::default());
+    table.heads.extend(COLUMNS.iter().map(|(name, _)| (*name).to_string()));
+    for &cutoff in cutoffs {
+        let mut keys = keys.clone();
+        keys.smooth = Some(cutoff);
+        let smooth = keys.prepare(scan.clone());
+        let found = smooth.and_then(|smooth| smooth.statistics(keys.estimator));
+        let number = |(_, number): (&str, Number)| number(found.as_ref().ok()?);
+        let numbers = COLUMNS.map(number);
+        if let Err(reason) = found.and_then(|statistics| statistics.surface()) {
+            let text = format!("{CUTOFF} {cutoff:e}: {reason}");
+            blanks.count("value", std::mem::discriminant(&reason), text);
         }
-        blanks.texts(cutoffs.len()).for_each(|text| output::warn(Code::NoValue, text));
-        if table.rows.iter().all(|row| row[1..].iter().all(|cell| cell.number().is_none())) {
-            bail!("no row has a value");
-        }
-        Ok(table)
+        table.add(&[], [Some(cutoff)].into_iter().chain(numbers));
     }
+    blanks.texts(cutoffs.len()).for_each(|text| output::warn(Code::NoValue, text));
+    if table.rows.iter().all(|row| row[1..].iter().all(|cell| cell.number().is_none())) {
+        bail!("no row has a value");
+    }
+    Ok(table)
 }
 
 /// A panel for each column, against the cut-off.

@@ -13,14 +13,14 @@ use asperity_topography::{
     Statistics, Topography, TopographyError, report,
 };
 use clap::Args;
-use clap::error::ErrorKind;
 use serde::Serialize;
-use toml::Value;
+use toml::{Table, Value};
 
-use crate::commands::scales::{self, Scales};
+use crate::commands::scales;
 use crate::input::args::DrawnArgs;
-use crate::input::lists::sizes;
+use crate::input::lists::{Numbers, all, sizes};
 use crate::input::numbers::{length, share};
+use crate::input::refuse;
 use crate::output::table::Format;
 use crate::output::{self, progress};
 
@@ -36,19 +36,67 @@ pub struct Surface {
     /// One measured surface, or the two surfaces in contact
     #[arg(value_name = "FILE", num_args = 1..=2, required = true)]
     files: Vec<PathBuf>,
+    #[command(flatten)]
+    scan: ScanArgs,
+    /// Add the heights of two scans point by point: of equal row and column (as-read), or with the
+    /// rows of the second reversed (mirrored), as of two scans taken from above
+    #[arg(long, value_name = "HOW", num_args = 0..=1, require_equals = true)]
+    #[arg(default_missing_value = "as-read")]
+    aligned: Option<Alignment>,
+    /// Functional parameters by the material ratio curve instead: Sk, Spk, Svk, Smr1, Smr2, Vmp,
+    /// Vmc, Vvc, Vvv; of a profile Rk, Rpk, Rvk, Rmr1, Rmr2, Rz, RSm, Rdq
+    #[arg(long, conflicts_with = "scales")]
+    report: bool,
+    #[command(flatten)]
+    output: DrawnArgs,
+    /// Write a scene that reads the files in the same way; its materials are examples, replace
+    /// them; an existing file is kept
+    #[arg(long, value_name = "OUT.toml")]
+    scene: Option<PathBuf>,
+    /// Tabulate the asperities against the short-wavelength cut-off: N cut-offs from A to B, in m,
+    /// or with a unit
+    #[arg(long, value_name = "A:B:N[:log]|v,v", value_parser = all(length))]
+    #[arg(conflicts_with_all = ["smooth", "scene"])]
+    scales: Option<Numbers>,
+}
+
+/// How scans are read and prepared: keys of a scene.
+#[derive(Debug, Args, Serialize)]
+struct ScanArgs {
     /// Unit of the heights and of the pixel size: m, cm, mm, um, nm, angstrom, pm
-    #[arg(long, value_name = "UNIT")]
-    unit: Option<LengthUnit>,
+    #[arg(long, value_name = "UNIT", value_parser = unit)]
+    unit: Option<String>,
     /// Distance between neighbouring points, along a row and along a column, in the unit of the
     /// heights or with a unit: 10nm
     #[arg(long, value_name = "DX[xDY]", value_parser = pixel_size)]
-    pixel_size: Option<[Distance; 2]>,
+    pixel_size: Option<Value>,
     /// Surface of a file with several (.gwy, .sur): its name or its number, from 1 [default: the
     /// first one with heights]
     #[arg(long, value_name = "NAME")]
     channel: Option<String>,
-    #[command(flatten)]
-    text: TextArgs,
+    /// Units of a text that states none: of lengths and heights, or of x, y and heights: mm,um
+    #[arg(long, value_name = "UNITS", value_delimiter = ',', value_parser = unit)]
+    units: Option<Vec<String>>,
+    /// Columns of a text: x,y,z or -,z,- by name, the number of the column of heights, matrix, or
+    /// axes (the first row or column are positions)
+    #[arg(long, allow_hyphen_values = true)]
+    columns: Option<String>,
+    /// Lines at the beginning of a text that are not read
+    #[arg(long, value_name = "COUNT", default_value_t)]
+    skip_lines: usize,
+    /// The number that marks missing points; nan if none does
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    missing: Option<f64>,
+    /// From the numbers in the file to heights in their unit
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    factor: Option<f64>,
+    /// Separator of the fields of a text
+    #[arg(long, value_name = "CHARACTER")]
+    delimiter: Option<char>,
+    /// Only list what the header of a text says, and how it is understood
+    #[arg(long)]
+    #[serde(skip)]
+    header: bool,
     /// Asperities from: moments (spectral moments of profiles, after McCool) or summits (points
     /// above their eight neighbours)
     #[arg(long, value_name = "NAME", default_value = "moments")]
@@ -76,54 +124,25 @@ pub struct Surface {
     /// Replace outliers, points far above or below their surroundings, as missing points are filled
     #[arg(long)]
     despike: bool,
-    /// Add the heights of two scans point by point: of equal row and column (as-read), or with the
-    /// rows of the second reversed (mirrored), as of two scans taken from above
-    #[arg(long, value_name = "HOW", num_args = 0..=1, require_equals = true)]
-    #[arg(default_missing_value = "as-read")]
-    aligned: Option<Alignment>,
-    /// Functional parameters by the material ratio curve instead: Sk, Spk, Svk, Smr1, Smr2, Vmp,
-    /// Vmc, Vvc, Vvv; of a profile Rk, Rpk, Rvk, Rmr1, Rmr2, Rz, RSm, Rdq
-    #[arg(long, conflicts_with = "scales")]
-    report: bool,
-    #[command(flatten)]
-    output: DrawnArgs,
-    /// Write a scene that reads the files in the same way; its materials are examples, replace
-    /// them; an existing file is kept
-    #[arg(long, value_name = "OUT.toml")]
-    scene: Option<PathBuf>,
-    #[command(flatten)]
-    scales: Scales,
 }
 
-/// How a text is read that does not state it.
-#[derive(Debug, Clone, Args)]
-struct TextArgs {
-    /// Units of a text that states none: of lengths and heights, or of x, y and heights: mm,um
-    #[arg(long, value_name = "UNITS", value_delimiter = ',')]
-    units: Option<Vec<LengthUnit>>,
-    /// Columns of a text: x,y,z or -,z,- by name, the number of the column of heights, matrix, or
-    /// axes (the first row or column are positions)
-    #[arg(long, allow_hyphen_values = true)]
-    columns: Option<String>,
-    /// Lines at the beginning of a text that are not read
-    #[arg(long, value_name = "COUNT", default_value_t)]
-    skip_lines: usize,
-    /// The number that marks missing points; nan if none does
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
-    missing: Option<f64>,
-    /// From the numbers in the file to heights in their unit
-    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
-    factor: Option<f64>,
-    /// Separator of the fields of a text
-    #[arg(long, value_name = "CHARACTER")]
-    delimiter: Option<char>,
-    /// Only list what the header of a text says, and how it is understood
-    #[arg(long)]
-    header: bool,
+/// A unit by its usual name.
+fn unit(text: &str) -> Result<String, TopographyError> {
+    text.parse().map(|unit: LengthUnit| unit.to_string())
 }
 
-fn pixel_size(text: &str) -> Result<[Distance; 2], String> {
-    sizes(text, |size| size.parse().map_err(|error: TopographyError| error.to_string()))
+/// One distance, of square pixels, or two, as a scene has them.
+fn pixel_size(text: &str) -> Result<Value, String> {
+    let [across, down]: [Distance; 2] =
+        sizes(text, |size| size.parse().map_err(|error: TopographyError| error.to_string()))?;
+    let distance = |given: Distance| {
+        let text = given.to_string();
+        text.parse::<f64>().map_or(Value::from(text), Value::from)
+    };
+    Ok(match across == down {
+        true => distance(across),
+        false => vec![distance(across), distance(down)].into(),
+    })
 }
 
 /// All numbers of a scan; of two scans their statistics alone.
@@ -139,14 +158,14 @@ impl Surface {
     pub fn run(self) -> Result<()> {
         self.check();
         self.scene.as_deref().map_or(Ok(()), output::refuse_to_replace)?;
-        output::show(&self.level.and_then(|level| level.tilts(self.periodic)));
-        if self.text.header {
+        output::show(&self.scan.level.and_then(|level| level.tilts(self.scan.periodic)));
+        if self.scan.header {
             return self.header();
         }
         let (working, keys) = (progress("surface"), self.keys()?);
-        if self.scales.is_requested() {
+        if let Some(Numbers(cutoffs)) = &self.scales {
             let path = self.files.first().context("a file was required")?;
-            let table = self.scales.table(&read(path, &keys)?, &keys)?;
+            let table = scales::table(cutoffs, &read(path, &keys)?, &keys)?;
             drop(working);
             return self.output.write(&table, || scales::picture(&table));
         }
@@ -156,7 +175,7 @@ impl Surface {
         let scans = self.scans(&keys)?;
         for (name, raw, surface) in &scans {
             let of = || name.clone();
-            let statistics = surface.statistics(self.estimator).with_context(of)?;
+            let statistics = surface.statistics(self.scan.estimator).with_context(of)?;
             let seam = asperity_scene::open_seam(surface).into_iter();
             let [dx, dy] = surface.pixel_size();
             let slope = statistics.unusual_slope(dx.max(dy));
@@ -166,8 +185,8 @@ impl Surface {
             found.extend(of_scan.map(|found| found.from_origin(of())));
             each.push(statistics);
             if scans.len() == 1 {
-                let level = self.level.unwrap_or(Level::usual(self.periodic));
-                let cutoffs = [self.smooth, self.filter];
+                let level = self.scan.level.unwrap_or(Level::usual(self.scan.periodic));
+                let cutoffs = [self.scan.smooth, self.scan.filter];
                 let found = Glance::new(raw, level, cutoffs, surface).with_context(of)?;
                 picture = self.output.picture(|| {
                     let title = self.names(|path| path.file_name().unwrap_or_default());
@@ -233,17 +252,14 @@ impl Surface {
         let two = self.files.len() > 1;
         let separate = two && self.aligned.is_none();
         let nothing_left =
-            self.smooth.zip(self.filter).is_some_and(|(smooth, filter)| smooth >= filter);
-        let conflicts = [
+            self.scan.smooth.zip(self.scan.filter).is_some_and(|(smooth, filter)| smooth >= filter);
+        refuse([
             (self.aligned.is_some() && !two, "--aligned takes two FILEs"),
-            (self.scales.is_requested() && two, "--scales takes one FILE"),
+            (self.scales.is_some() && two, "--scales takes one FILE"),
             (self.report && separate, "--report takes one FILE or --aligned"),
             (self.output.plot.is_some() && separate, "--plot takes one FILE or --aligned"),
             (nothing_left, "choose --smooth below --filter, which keeps some wavelengths"),
-        ];
-        if let Some((_, text)) = conflicts.iter().find(|(conflict, _)| *conflict) {
-            crate::input::usage_error("surface", ErrorKind::ArgumentConflict, text);
-        }
+        ]);
     }
 
     fn names(&self, part: impl Fn(&Path) -> &OsStr) -> String {
@@ -251,49 +267,23 @@ impl Surface {
         names.collect::<Vec<_>>().join(" and ")
     }
 
-    /// The options as the keys of a scene that are set by them, with their values.
-    fn given(&self) -> Vec<(&'static str, Value)> {
-        let distance = |given: Distance| {
-            let text = given.to_string();
-            text.parse::<f64>().map_or(Value::from(text), Value::from)
-        };
-        let pixel_size = |[across, down]: [Distance; 2]| match across == down {
-            true => distance(across),
-            false => vec![distance(across), distance(down)].into(),
-        };
-        let usual = ReadOptions::MAX_MISSING;
-        let max_missing = Some(self.max_missing).filter(|share| share.total_cmp(&usual).is_ne());
-        let texts = |units: &[LengthUnit]| {
-            Value::from(units.iter().map(LengthUnit::to_string).collect::<Vec<_>>())
-        };
-        let lines = i64::try_from(self.text.skip_lines).ok().filter(|lines| *lines > 0);
-        let true_where = |asked: bool| asked.then_some(Value::from(true));
-        let given = [
-            ("unit", self.unit.map(|unit| unit.to_string().into())),
-            ("pixel_size", self.pixel_size.map(pixel_size)),
-            ("channel", self.channel.clone().map(Value::from)),
-            ("units", self.text.units.as_ref().map(|units| texts(units))),
-            ("columns", self.text.columns.clone().map(Value::from)),
-            ("skip_lines", lines.map(Value::from)),
-            ("missing", self.text.missing.map(Value::from)),
-            ("factor", self.text.factor.map(Value::from)),
-            ("delimiter", self.text.delimiter.map(|one| one.to_string().into())),
-            ("estimator", Some(self.estimator.to_string().into())),
-            ("level", self.level.map(|level| level.to_string().into())),
-            ("filter", self.filter.map(Value::from)),
-            ("smooth", self.smooth.map(Value::from)),
-            ("periodic", true_where(self.periodic)),
-            ("max_missing", max_missing.map(Value::from)),
-            ("fill_missing", true_where(self.fill_missing)),
-            ("despike", true_where(self.despike)),
-        ];
-        given.into_iter().filter_map(|(key, value)| Some((key, value?))).collect()
+    /// The options as the keys of a scene, but those that change nothing.
+    fn given(&self) -> Result<Table> {
+        let mut given = Table::try_from(&self.scan)?;
+        given.retain(|key, value| match value {
+            Value::Boolean(asked) => *asked,
+            Value::Integer(lines) => *lines > 0,
+            Value::Float(share) if key == "max_missing" => {
+                share.total_cmp(&ReadOptions::MAX_MISSING).is_ne()
+            }
+            _ => true,
+        });
+        Ok(given)
     }
 
     /// The same as a scene reads them.
     fn keys(&self) -> Result<MeasuredKeys> {
-        let keys = self.given().into_iter().map(|(key, value)| (key.to_string(), value));
-        Ok(toml::Table::from_iter(keys).try_into()?)
+        Ok(self.given()?.try_into()?)
     }
 
     /// The scans, or the sum of two that are aligned: names, as read, and prepared.
@@ -313,19 +303,20 @@ impl Surface {
 
     /// The template's scene on this surface, with the same reading options.
     fn scene_text(&self, path: &Path, statistics: &Statistics) -> Result<String> {
-        let files = self.files.iter().map(|file| beside(path, file).map(Value::from));
-        let files = files.collect::<Result<Vec<_>>>()?;
+        let files = self.files.iter().map(|file| {
+            let mut keys = self.given()?;
+            keys.insert("file".into(), beside(path, file)?.into());
+            Ok(keys)
+        });
+        let mut files = files.collect::<Result<Vec<Table>>>()?.into_iter();
+        let mut keys = files.next().unwrap_or_default();
+        keys.extend(files.next().map(|second| ("counterface".into(), second.into())));
         let aligned = |alignment| match alignment {
             Alignment::AsRead => Value::from(true),
             Alignment::Mirrored => "mirrored".into(),
         };
-        let given = self.given();
-        let mut each =
-            files.into_iter().map(|file| [("file", file)].into_iter().chain(given.clone()));
-        let mut keys: Vec<_> = each.next().into_iter().flatten().collect();
-        let second = each.next().map(|keys| keys.map(|(key, value)| (key.into(), value)));
-        keys.extend(second.map(|keys| ("counterface", toml::Table::from_iter(keys).into())));
-        keys.extend(self.aligned.map(|alignment| ("aligned", aligned(alignment))));
+        keys.extend(self.aligned.map(|alignment| ("aligned".into(), aligned(alignment))));
+        let keys: Vec<(&str, Value)> = keys.iter().map(|(key, x)| (&**key, x.clone())).collect();
         Ok(asperity_scene::template_on(statistics.surface().ok().as_ref(), &keys))
     }
 }

@@ -4,18 +4,17 @@ use std::io::IsTerminal;
 use std::path::PathBuf;
 
 use anyhow::Result;
-use asperity::bem::{Bem, BemOptions, Continuation};
+use asperity::bem::{Bem, Continuation};
 use asperity::{At, Described, Model, Quantity, Request, Separation, SeparationUnit, Tolerance};
 use asperity_answer::{ALL_MODELS, Sheet};
 use asperity_scene::SceneFile;
 use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
-use clap::error::ErrorKind;
 use clap::{ArgAction, Args};
 
 use crate::input::distances::{Distances, metre, warn_unit};
 use crate::input::lists::{Numbers, all};
 use crate::input::numbers::{load_or_tension, number, pressure_or_tension};
-use crate::input::usage_error;
+use crate::input::refuse;
 use crate::output::table::{self, Format};
 use crate::output::{self, once};
 
@@ -77,31 +76,10 @@ pub struct EndArgs {
     pub at: String,
 }
 
-/// How boundary elements press a scan, in front of the options of the scene.
-#[derive(Debug, Clone, Copy, Default, Args)]
-pub struct PressArgs {
-    /// Beyond the edges of the scan that bem presses: periodic (repeated as it is, with steps),
-    /// periodic-part (its periodic component) or free (a single body) [default: periodic if the
-    /// scene says periodic = true; otherwise periodic-part if the edges do not match, free if they
-    /// do but the slopes there do not, as of a ball, and periodic if both do]
-    #[arg(long, value_name = "WHAT", value_parser = continuation())]
-    boundary: Option<Continuation>,
-    /// Press the scan by bem without the hardness: elastic, with unlimited pressures
-    #[arg(long)]
-    elastic: bool,
-}
-
 /// The values of `--boundary`.
-fn continuation() -> impl TypedValueParser<Value = Continuation> {
+pub fn continuation() -> impl TypedValueParser<Value = Continuation> {
     let names = PossibleValuesParser::new(Continuation::ALL.map(Continuation::name));
     names.try_map(|name| Continuation::from_name(&name).ok_or("another name was required"))
-}
-
-impl PressArgs {
-    /// The same as options of a scene.
-    pub fn options(self) -> BemOptions {
-        BemOptions { boundary: self.boundary, elastic: self.elastic }
-    }
 }
 
 /// Format and destination of a result.
@@ -154,12 +132,10 @@ impl ModelArgs {
 
     /// Ends with a message where the places are not those of curved bodies, or of flat ones.
     pub fn check_places(&self, is_curved: bool) {
-        let is_of_bodies = !(self.loads.is_empty() && self.approaches.is_empty());
-        let text = match is_curved {
-            true if !is_of_bodies => "the scene has [curvature]: give --load or --approach",
-            _ => return check_approaches("curve", is_curved, &self.approaches),
-        };
-        usage_error("curve", ErrorKind::ArgumentConflict, text);
+        let is_of_flat = self.loads.is_empty() && self.approaches.is_empty();
+        let text = "the scene has [curvature]: give --load or --approach";
+        refuse([(is_curved && is_of_flat, text)]);
+        check_approaches(is_curved, &self.approaches);
     }
 
     /// Whether films are given.
@@ -197,11 +173,9 @@ pub fn approaches(given: &[Numbers]) -> impl Iterator<Item = At> {
 }
 
 /// Ends with a message where approaches are given and the bodies are flat.
-pub fn check_approaches(command: &str, is_curved: bool, given: &[Numbers]) {
-    if !is_curved && !given.is_empty() {
-        let text = "--approach is of curved bodies, and the scene has no [curvature]: give --load or --pressure";
-        usage_error(command, ErrorKind::ArgumentConflict, text);
-    }
+pub fn check_approaches(is_curved: bool, given: &[Numbers]) {
+    let text = "--approach is of curved bodies, and the scene has no [curvature]: give --load or --pressure";
+    refuse([(!is_curved && !given.is_empty(), text)]);
 }
 
 /// The places of loads and of pressures.
@@ -304,11 +278,6 @@ pub fn file_ending(
 pub fn svg_file() -> impl TypedValueParser<Value = PathBuf> {
     let what = "plots are written as svg; `inkscape plot.svg -o plot.pdf` makes pdf of one, or png";
     file_ending(&["svg"], what)
-}
-
-/// The name of a file of a patch.
-pub fn patch_file() -> impl TypedValueParser<Value = PathBuf> {
-    file_ending(&["csv", "svg"], "the patch is written as csv, and drawn as svg")
 }
 
 /// A relative tolerance.

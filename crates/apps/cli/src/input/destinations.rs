@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use anyhow::{Result, ensure};
-use clap::error::ErrorKind;
 use clap::{ArgMatches, Command};
 
 use crate::input::usage_error;
@@ -28,8 +27,7 @@ pub fn check(program: &Command, matches: &ArgMatches) {
     for (id, file) in &read {
         if let Some((output, _)) = written.iter().find(|(_, to)| to == file) {
             let (input, output) = (id.to_uppercase(), output.replace('_', "-"));
-            let text = format!("<{input}> and --{output} name the same file; choose two names");
-            usage_error(command, ErrorKind::ArgumentConflict, &text);
+            usage_error(&format!("<{input}> and --{output} name the same file; choose two names"));
         }
     }
     let written = written.into_iter().map(|(_, file)| file);

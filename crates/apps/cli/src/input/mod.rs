@@ -7,6 +7,7 @@ pub mod lists;
 pub mod numbers;
 pub mod varied;
 
+use std::env;
 use std::ffi::OsString;
 use std::path::Path;
 use std::sync::OnceLock;
@@ -33,27 +34,30 @@ pub fn check_units(arguments: &[OsString]) {
         };
         let is_number = number.split([',', ':']).all(|part| part.parse::<f64>().is_ok());
         if is_number && is_unit(unit) && !Path::new(unit).exists() {
-            let command = arguments.get(1).and_then(|name| name.to_str()).unwrap_or_default();
             let first = number.split([',', ':']).next().unwrap_or(number);
-            let text = format!(
+            usage_error(&format!(
                 "{unit} behind {number} is an argument of its own: write a number and its unit as one, for example {first}{unit}"
-            );
-            usage_error(command, ErrorKind::UnknownArgument, &text);
+            ));
         }
     }
 }
 
 /// What the arguments say, or the end of the program as for arguments that clap refuses.
-pub fn valid<T>(subcommand: &str, found: Result<T, impl ToString>) -> T {
-    found.unwrap_or_else(|error| {
-        usage_error(subcommand, ErrorKind::ValueValidation, &error.to_string())
-    })
+pub fn valid<T>(found: Result<T, impl ToString>) -> T {
+    found.unwrap_or_else(|error| usage_error(&error.to_string()))
 }
 
-/// Ends the program as clap does for arguments that it refuses.
-pub fn usage_error(subcommand: &str, kind: ErrorKind, text: &str) -> ! {
+/// Ends the program with the text of the first conflict of arguments, if there is one.
+pub fn refuse<T: AsRef<str>>(conflicts: impl IntoIterator<Item = (bool, T)>) {
+    if let Some((_, text)) = conflicts.into_iter().find(|(is_there, _)| *is_there) {
+        usage_error(text.as_ref());
+    }
+}
+
+/// Ends the program as clap does for arguments that it refuses, with the usage of its command.
+pub fn usage_error(text: &str) -> ! {
     let mut program = PROGRAM.get().map_or_else(Command::default, |make| make());
     program.build();
-    let command = program.find_subcommand(subcommand).cloned();
-    command.unwrap_or(program).error(kind, text).exit()
+    let command = env::args_os().skip(1).find_map(|name| program.find_subcommand(name).cloned());
+    command.unwrap_or(program).error(ErrorKind::ValueValidation, text).exit()
 }

@@ -1,7 +1,6 @@
 //! Standard output, or a file that is complete or absent; messages on standard error.
 
 pub mod contact_map;
-pub mod fit_report;
 mod messages;
 pub mod plot;
 pub mod table;

@@ -37,13 +37,15 @@ pub fn write(sheet: &Sheet, format: Format, out: &mut dyn Write) -> io::Result<(
 
 /// Comma-separated values with all digits.
 pub fn csv(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "{}", sheet.heads.join(","))?;
+    // Written at once: its writer would hide a closed pipe.
+    let mut lines = vec![];
+    let mut csv = csv::Writer::from_writer(&mut lines);
+    csv.write_record(&sheet.heads)?;
     for row in &sheet.rows {
-        let fields: Vec<String> =
-            row.iter().map(|cell| quoted(text(cell, shortest_digits))).collect();
-        writeln!(out, "{}", fields.join(","))?;
+        csv.write_record(row.iter().map(|cell| text(cell, shortest_digits)))?;
     }
-    Ok(())
+    drop(csv);
+    out.write_all(&lines)
 }
 
 fn json(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
@@ -78,14 +80,6 @@ fn aligned(sheet: &Sheet, out: &mut dyn Write) -> io::Result<()> {
 
 fn text(cell: &Cell, number: fn(f64) -> String) -> String {
     cell.number().map_or_else(|| cell.text().into(), number)
-}
-
-/// A field of a csv, in quotes where it must be.
-fn quoted(text: String) -> String {
-    match text.contains([',', '"', '\n', '\r']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text,
-    }
 }
 
 /// A row as an object with its keys in order.

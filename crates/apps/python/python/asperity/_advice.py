@@ -13,7 +13,7 @@ from asperity import _asperity
 from asperity._arguments import floats, in_si, method_of, one_number, place
 from asperity._asperity import Scene
 from asperity._model import Model, as_model
-from asperity._table import Table
+from asperity._table import Table, aligned
 
 
 class Answer(Table):
@@ -35,24 +35,17 @@ class Answer(Table):
     #: The lines that the program prints: quantity, value, from, to, unit.
     lines: list[list[str]]
 
-    def _ends(self, quantities: Sequence[str], end: str) -> dict[str, Any]:
-        found = {}
-        for quantity in quantities:
-            head = _columns()[quantity]
-            name = quantity.replace("-", "_")
-            # Of curved bodies there are no ends.
-            none = np.full(len(self["model"]), np.nan)
-            column = self.columns.get(f"{name}{end}{head.removeprefix(name)}", none)
-            found[quantity] = float(column[0]) if len(column) == 1 else column
-        return found
+    def _numbers(self, quantity: str, head: str, end: str) -> Any:
+        name = quantity.replace("-", "_")
+        # Of curved bodies there are no ends.
+        none = np.full(len(self), np.nan)
+        column = self.columns.get(f"{name}{end}{head.removeprefix(name)}", none)
+        return float(column[0]) if len(column) == 1 else column
 
     def __str__(self) -> str:
-        widths = [max(map(len, column)) for column in zip(*self.lines, strict=True)]
-        rows = [zip(line, widths, strict=True) for line in self.lines]
-        texts = ["  ".join(f"{cell:<{width}}" for cell, width in row).rstrip() for row in rows]
         behind = {"by": self.by, "widest": self.widest, "also": self.also}
-        texts += [f"{name:<8}{text}" for name, text in behind.items() if text]
-        return "\n".join([*texts, *map(str, self.findings)])
+        texts = [f"{name:<8}{text}" for name, text in behind.items() if text]
+        return "\n".join([*aligned(self.lines), *texts, *map(str, self.findings)])
 
     def _repr_html_(self) -> str:
         head, *rows = [[escape(cell) for cell in line] for line in self.lines]
@@ -96,10 +89,10 @@ def answer(
     solving: Any = solve if solved is None else _solved(solved)
     table, (behind, lines) = _asperity.best(self, (axis, numbers), quantities, rtol, solving)
     found = Answer(*table)
-    heads = _columns().items()
-    own = [name for name, head in heads if head in found.columns and name != "pressure"]
-    ends = {name: found._ends(own, end) for name, end in _ENDS.items()}
-    vars(found).update(ends, by=behind[0], widest=behind[1], also=behind[2], lines=lines)
+    own = {q: head for q, head in _columns().items() if head in found.columns and q != "pressure"}
+    for name, end in {"value": "", "lower": "_lower", "upper": "_upper"}.items():
+        vars(found)[name] = {q: found._numbers(q, head, end) for q, head in own.items()}
+    vars(found).update(by=behind[0], widest=behind[1], also=behind[2], lines=lines)
     return found
 
 
@@ -111,9 +104,6 @@ def profile(self: Scene, load: float | str, model: str = "best", *, rtol: float 
     ``tangential_flexibility_m3_per_N`` of the rough layer, to be added to that of the bodies."""
     number = one_number("load", in_si(load, "N"))
     return Table(*_asperity.profile(self, number, model, rtol))
-
-
-_ENDS = {"value": "", "lower": "_lower", "upper": "_upper"}
 
 
 def _columns() -> dict[str, str]:

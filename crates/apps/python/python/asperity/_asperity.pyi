@@ -169,20 +169,7 @@ class Topography:
         cls, heights: npt.ArrayLike, dx: _Spacing, unit: str, periodic: bool = False
     ) -> Topography: ...
     @staticmethod
-    def read(
-        path: str | PathLike[str],
-        unit: str | None = None,
-        pixel_size: _Spacing | None = None,
-        max_missing: _Float = 0.1,
-        channel: str | None = None,
-        *,
-        units: Sequence[str] | None = None,
-        columns: str | None = None,
-        skip_lines: int = 0,
-        missing: _Float | None = None,
-        factor: _Float | None = None,
-        delimiter: str | None = None,
-    ) -> Topography: ...
+    def read(path: str | PathLike[str], **options: Any) -> Topography: ...
     @staticmethod
     def from_profile(
         positions: Sequence[float] | _Floats, heights: Sequence[float] | _Floats, unit: str

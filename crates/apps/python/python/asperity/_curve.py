@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from difflib import get_close_matches
 from os import PathLike
 from pathlib import Path
@@ -24,6 +25,7 @@ def _text(table: dict[str, npt.NDArray[Any]]) -> str:
     return "\n".join([",".join(table), *map(",".join, zip(*cells, strict=True))]) + "\n"
 
 
+@dataclass(eq=False, repr=False)
 class Curve:
     """Quantities of a contact at separations or under loads, in SI units; made by ``Model.solve``.
 
@@ -42,25 +44,17 @@ class Curve:
     {'elastic': 0.0022, 'elastic-plastic': 0.1221, 'elastic-plastic 2': 0.8757, 'plastic': 0.0}
     """
 
-    def __init__(
-        self,
-        engine: Engine,
-        name: str,
-        rows: Rows,
-        rtol: float,
-        separation_unit: str,
-        columns: dict[str, Floats],
-        failures: dict[int, str],
-    ) -> None:
-        self._engine, self._rows, self._columns = engine, rows, columns
-        #: Name of the model.
-        self.model = name
-        #: Relative tolerance of every value.
-        self.rtol = rtol
-        #: ``"asperity_height_std"`` or ``"m"``.
-        self.separation_unit = separation_unit
-        #: Why rows have no values, where ``errors="mask"``: by their place in the order of memory.
-        self.failures = failures
+    _engine: Engine
+    #: Name of the model.
+    model: str
+    _rows: Rows
+    #: Relative tolerance of every value.
+    rtol: float
+    #: ``"asperity_height_std"`` or ``"m"``.
+    separation_unit: str
+    _columns: dict[str, Floats]
+    #: Why rows have no values, where ``errors="mask"``: by their place in the order of memory.
+    failures: dict[int, str]
 
     @property
     def scene(self) -> SceneLike:

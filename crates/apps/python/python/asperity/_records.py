@@ -29,11 +29,8 @@ class Record:
         """A copy with other numbers, by their names."""
         return replace(self, **numbers)
 
-    def _numbers(self):
-        return {one.name: getattr(self, one.name) for one in fields(self)}
-
     def __repr__(self):
-        numbers = self._numbers().items()
+        numbers = ((one.name, getattr(self, one.name)) for one in fields(self))
         given = (f"{name}={value!r}" for name, value in numbers if value is not None)
         return f"{type(self).__name__}({', '.join(given)})"
 

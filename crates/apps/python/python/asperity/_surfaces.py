@@ -36,7 +36,8 @@ def read(
     if isinstance(surface, str | PathLike):
         path = fspath(surface)
         try:
-            return Topography.read(path, unit, pixel_size, max_missing, channel, **text)
+            options = {"unit": unit, "pixel_size": pixel_size, "max_missing": max_missing}
+            return Topography.read(path, channel=channel, **options, **text)
         except UnsupportedFormat as error:
             return _by_surface_topography(path, unit, channel, error)
     home = type(surface).__module__.partition(".")[0]

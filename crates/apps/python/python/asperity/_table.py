@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -64,10 +65,16 @@ class Table:
 
     def __str__(self) -> str:
         columns = [[head, *map(_cell, column)] for head, column in self.columns.items()]
-        widths = [max(map(len, column)) for column in columns]
-        rows = (zip(row, widths, strict=True) for row in zip(*columns, strict=True))
-        lines = ("  ".join(f"{cell:<{width}}" for cell, width in row).rstrip() for row in rows)
+        lines = aligned(zip(*columns, strict=True))
         return "\n".join([*lines, *map(str, self.findings), *self.results])
+
+
+def aligned(rows: Iterable[Sequence[str]]) -> list[str]:
+    """Rows of cells as lines, with columns under each other."""
+    rows = list(rows)
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = (zip(row, widths, strict=True) for row in rows)
+    return ["  ".join(f"{cell:<{width}}" for cell, width in line).rstrip() for line in lines]
 
 
 def _cell(value: Any) -> str:

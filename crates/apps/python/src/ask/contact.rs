@@ -142,15 +142,12 @@ impl Contact {
         (&self.model, &self.scene, self.names(), self.rtol, &self.separation_unit)
     }
 
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        Ok(format!(
-            "<asperity.Contact of {}: {}; rtol={:e}; separations in {}; {}>",
-            self.model(),
-            self.names().join(", "),
-            self.rtol,
-            self.separation_unit,
-            self.scene.bind(py).repr()?
-        ))
+    fn __repr__(&self) -> String {
+        let (model, names, unit) = (self.model(), self.names().join(", "), &self.separation_unit);
+        format!(
+            "<asperity.Contact of {model}: {names}; rtol={:e}; separations in {unit}>",
+            self.rtol
+        )
     }
 }
 

@@ -43,12 +43,6 @@ fn pool() -> PyResult<Arc<ThreadPool>> {
 #[derive(Default)]
 pub(crate) struct Interrupt(AtomicBool);
 
-impl Interrupt {
-    pub(crate) fn stop(&self) {
-        self.0.store(true, Ordering::Relaxed);
-    }
-}
-
 impl Watch for Interrupt {
     fn is_stopped(&self) -> bool {
         self.0.load(Ordering::Relaxed)
@@ -76,7 +70,7 @@ pub(crate) fn run_interruptible<T: Send>(
                 }
                 Err(RecvTimeoutError::Timeout) if raised.is_none() => {
                     raised = Python::attach(|py| py.check_signals()).err();
-                    raised.iter().for_each(|_| stop.stop());
+                    stop.0.store(raised.is_some(), Ordering::Relaxed);
                 }
                 Err(RecvTimeoutError::Timeout) => {}
             }

@@ -1,10 +1,11 @@
 //! Contacts of a scan under loads, and its sealing pressures.
 
+use asperity::bem::LoadCase;
 use asperity_answer::{Press, Sheet, sealing};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use super::scan::{Arguments, Pressed, load_cases};
+use super::scan::{Arguments, Pressed};
 use crate::ask::long::run_interruptible;
 use crate::convert::Quantities;
 use crate::model::engine::without;
@@ -24,7 +25,9 @@ pub(crate) fn bem<'py>(
 ) -> PyResult<Contacts<'py>> {
     let quantities = quantities.map_or(vec![], |quantities| quantities.0);
     let Pressed { bem, file } = Pressed::new(pressed)?;
-    let all = load_cases(given, file.scene.nominal_area);
+    let (name, values) = given;
+    let area = if name == "load" { file.scene.nominal_area } else { 1.0 };
+    let all: Vec<_> = values.iter().map(|value| LoadCase::MeanPressure(value / area)).collect();
     let press = Press { keep, ..Press::new(&file, &bem, &all, &quantities) };
     let mut sheet = Sheet::default();
     let solved = run_interruptible(py, |stop| press.solve(&mut sheet, stop))?;

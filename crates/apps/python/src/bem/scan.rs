@@ -1,6 +1,6 @@
 //! What boundary elements press: the scan of a scene, or a topography between two bodies.
 
-use asperity::bem::{Bem, BemOptions, Continuation, LoadCase};
+use asperity::bem::{Bem, BemOptions, Continuation};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
@@ -85,13 +85,4 @@ fn options((boundary, elastic): Pressing) -> PyResult<BemOptions> {
         Continuation::from_name(&name).ok_or_else(unknown)
     };
     Ok(BemOptions { boundary: boundary.map(named).transpose()?, elastic })
-}
-
-/// Loads \[N\] on `area` \[m^2\] or pressures \[Pa\], as they are named.
-pub(super) fn load_cases((name, values): (String, Vec<f64>), area: f64) -> Vec<LoadCase> {
-    let case = |value| match &*name {
-        "load" => LoadCase::MeanPressure(value / area),
-        _ => LoadCase::MeanPressure(value),
-    };
-    values.into_iter().map(case).collect()
 }

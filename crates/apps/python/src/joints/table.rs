@@ -133,8 +133,7 @@ impl JointTable {
         let name = self.model.bind(py).getattr("name")?;
         let Self { law, ends: (deepest, open), tolerance, separation_unit, .. } = self;
         Ok(format!(
-            "<asperity.JointTable of {name} by {law} from {deepest:?} to {open:?} {separation_unit} to {tolerance:e}; {}>",
-            self.scene.bind(py).repr()?
+            "<asperity.JointTable of {name} by {law} from {deepest:?} to {open:?} {separation_unit} to {tolerance:e}>"
         ))
     }
 }

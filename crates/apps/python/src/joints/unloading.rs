@@ -132,14 +132,9 @@ impl Unloading {
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        let name = self.model.bind(py).getattr("name")?;
-        Ok(format!(
-            "<asperity.Unloading of {name} by {} from {:.5e} {}; {}>",
-            self.law(),
-            self.closest,
-            self.separation_unit,
-            self.scene.bind(py).repr()?
-        ))
+        let (name, law) = (self.model.bind(py).getattr("name")?, self.law());
+        let (closest, unit) = (self.closest, &self.separation_unit);
+        Ok(format!("<asperity.Unloading of {name} by {law} from {closest:.5e} {unit}>"))
     }
 }
 

@@ -1,6 +1,5 @@
 //! A model written in Python, by the trait of all models.
 
-use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -53,6 +52,7 @@ impl Raised {
 }
 
 /// A class whose instances are the laws of one asperity.
+#[derive(Debug)]
 pub(crate) struct PythonModel {
     /// The package's `_model.Laws` of the class: returns function, kinks and regimes of an
     /// asperity.
@@ -126,12 +126,6 @@ impl PythonModel {
             part(name, regime, start..end, vec![]);
         }
         Ok(law)
-    }
-}
-
-impl fmt::Debug for PythonModel {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("PythonModel").field("name", &self.name).finish_non_exhaustive()
     }
 }
 

@@ -2,19 +2,21 @@
 
 use std::collections::BTreeMap;
 
-use asperity_scene::{SceneInput, key_of_input};
+use asperity_scene::SceneInput;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
-use crate::convert::numbers::{argument, in_si};
+use crate::convert::numbers::argument;
 use crate::convert::{Object, value_error};
 
-/// The value of a key or an option: a text, a number, or keys of its own, as of a second surface.
+/// The value of a key or an option: a text, a number, a list, or keys of its own, as of a second
+/// surface.
 #[derive(FromPyObject)]
 pub(crate) enum KeyValue {
     Text(String),
     Flag(bool),
+    Whole(i64),
     Number(f64),
+    List(Vec<KeyValue>),
     Keys(BTreeMap<String, KeyValue>),
 }
 
@@ -23,14 +25,16 @@ impl From<KeyValue> for asperity_scene::OptionValue {
         match value {
             KeyValue::Text(text) => text.into(),
             KeyValue::Flag(flag) => flag.into(),
+            KeyValue::Whole(number) => number.into(),
             KeyValue::Number(number) => number.into(),
+            KeyValue::List(list) => Self::Array(list.into_iter().map(Self::from).collect()),
             KeyValue::Keys(keys) => keys_of(keys).into(),
         }
     }
 }
 
 /// Keys with their values.
-pub(crate) fn keys_of(given: BTreeMap<String, KeyValue>) -> asperity_scene::Keys {
+pub(crate) fn keys_of(given: impl IntoIterator<Item = (String, KeyValue)>) -> asperity_scene::Keys {
     given.into_iter().map(|(name, value)| (name, value.into())).collect()
 }
 
@@ -52,20 +56,4 @@ pub(crate) fn inputs<'n>(
     names: impl Iterator<Item = &'n String>,
 ) -> PyResult<Vec<SceneInput>> {
     file.inputs(names.map(String::as_str)).map_err(value_error)
-}
-
-/// The values of inputs by name, with numbers in SI units in the place of texts with a unit.
-pub(crate) fn inputs_in_si<'py>(
-    file: &asperity_scene::SceneFile,
-    given: &Bound<'py, PyDict>,
-) -> PyResult<Bound<'py, PyDict>> {
-    inputs(file, given.keys().extract::<Vec<String>>()?.iter())?;
-    let found = given.copy()?;
-    for (name, value) in given {
-        let unit = asperity_scene::unit_of(key_of_input(name.extract()?));
-        if let Some(unit) = unit {
-            found.set_item(name, in_si(&value, unit)?)?;
-        }
-    }
-    Ok(found)
 }

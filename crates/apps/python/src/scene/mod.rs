@@ -7,16 +7,16 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use asperity::{Code, ContactError, HeightDistribution, Quantity};
-use asperity_scene::{Bodies, Keys};
+use asperity_scene::{Bodies, Keys, key_of_input};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
-use crate::convert::numbers::number;
+use crate::convert::numbers::{in_si, number};
 use crate::convert::{Object, Quantities, object, refused, value_error, warn};
 use crate::reading::found;
 use crate::records::{self, instance};
-use arguments::{KeyValue, heights_key, inputs, inputs_in_si, keys_of};
+use arguments::{KeyValue, heights_key, inputs, keys_of};
 
 /// For each number with a range whether each combination of ends has its upper end.
 type Uppers = BTreeMap<String, Vec<bool>>;
@@ -88,7 +88,7 @@ impl SceneFile {
         accept: Vec<String>,
         curvature: Option<BTreeMap<String, KeyValue>>,
     ) -> PyResult<Self> {
-        let mut of_surface = match surface.extract() {
+        let mut of_surface = match surface.extract::<BTreeMap<_, KeyValue>>() {
             Ok(keys) => keys_of(keys),
             Err(_) => {
                 records::surface_keys(surface)?.into_iter().map(|(k, x)| (k, x.into())).collect()
@@ -306,7 +306,15 @@ impl SceneFile {
 
     /// The values of inputs by name, with numbers in SI units in the place of texts with a unit.
     fn _inputs_in_si<'py>(&self, given: &Bound<'py, PyDict>) -> PyResult<Bound<'py, PyDict>> {
-        inputs_in_si(&self.0, given)
+        inputs(&self.0, given.keys().extract::<Vec<String>>()?.iter())?;
+        let found = given.copy()?;
+        for (name, value) in given {
+            let unit = asperity_scene::unit_of(key_of_input(name.extract()?));
+            if let Some(unit) = unit {
+                found.set_item(name, in_si(&value, unit)?)?;
+            }
+        }
+        Ok(found)
     }
 
     /// The id of the default reference of comparisons.
