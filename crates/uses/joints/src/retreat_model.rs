@@ -9,6 +9,7 @@ use asperity_core::{
 
 use crate::asperity_laws::{AsperityLaws, UnloadingQuantity, refused};
 use crate::contact_range::contact_range;
+use crate::remaining::RemainingFraction;
 
 /// A quantity of one asperity after a retreat, as the force law of a model.
 #[derive(Debug)]
@@ -60,7 +61,8 @@ impl<'u> RetreatModel<'u> {
         for (low, high) in ranges {
             // At a kink, δ of the first remaining contact may exceed u.
             let near = match u > 0.0 && low <= first && !whole {
-                true => loading.left_from([low, high], u).map_err(failed)?,
+                true => RemainingFraction::new([low, high], u, |w| loading.recovered(w))
+                    .map_err(failed)?,
                 false => None,
             };
             let loading = loading.clone();
