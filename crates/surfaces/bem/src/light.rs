@@ -11,8 +11,7 @@ use crate::half_space::{Compliance, Filter, HalfSpace};
 use crate::height_map::positive;
 use crate::iteration::{Iteration, Problem};
 use crate::parallel::number;
-use crate::patches::patches;
-use crate::solution::{corrected_area, edges};
+use crate::solution::{corrected_area, edges, patches};
 use crate::unloading::even_approach;
 use crate::{BemError, Boundary, BoundaryElements};
 
@@ -129,7 +128,7 @@ impl BoundaryElements {
         order.sort_by(|a, b| b.1.total_cmp(&a.1));
         let Some((_, heaviest)) = order.first() else { return Ok(vec![]) };
         if self.boundary_condition() != Boundary::Periodic {
-            return Err(BemError::NotLight { pixels: self.map().heights().len(), most: 0 });
+            return Err(BemError::NotLight { pixels: self.map.heights().len(), most: 0 });
         }
         let mut light = Light::new(self, *heaviest)?;
         let mut found = vec![];
@@ -157,9 +156,9 @@ struct Light<'a> {
 
 impl<'a> Light<'a> {
     fn new(setup: &'a BoundaryElements, heaviest: f64) -> Result<Self, BemError> {
-        let map = setup.map();
+        let map = &setup.map;
         let heights = map.heights();
-        let mut space = HalfSpace::new(map, setup.modulus(), Boundary::Periodic);
+        let mut space = HalfSpace::new(map, setup.modulus, Boundary::Periodic);
         let count = MARGIN * expected_area(setup, heaviest) * heights.len() as f64;
         let count = (count as usize).max(LEAST_CANDIDATES).min(heights.len());
         refuse_above(MOST_CANDIDATES, count)?;
@@ -181,7 +180,7 @@ impl<'a> Light<'a> {
 
     fn solve(&mut self, pressure: f64) -> Result<LightContact, BemError> {
         let Self { setup, highest, .. } = *self;
-        let (heights, cap) = (setup.map().heights(), setup.cap());
+        let (heights, cap) = (setup.map.heights(), setup.cap());
         let load = pressure * heights.len() as f64;
         let goal = setup.goal(setup.scale(pressure, self.rms_height));
         let mut iterations = 0;
@@ -219,7 +218,7 @@ impl<'a> Light<'a> {
     /// Adds the pixels whose [distance](Problem::distance) is below `offset` to the candidates, by
     /// one transform of the whole map; true if there are any.
     fn add_pixels_below(&mut self, offset: f64) -> Result<bool, BemError> {
-        let heights = self.setup.map().heights();
+        let heights = self.setup.map.heights();
         let mut deflections = vec![0.0; heights.len()];
         for (at, pressure) in self.pixels.iter().zip(&self.pressures) {
             deflections[*at] = *pressure;
@@ -255,7 +254,7 @@ impl<'a> Light<'a> {
         residual: f64,
         iterations: usize,
     ) -> LightContact {
-        let map = self.setup.map();
+        let map = &self.setup.map;
         let pixels = map.heights().len() as f64;
         let plastic = self.pressures.iter().filter(|p| **p >= self.setup.cap()).count();
         let (mut touching, shape) = (vec![false; map.heights().len()], map.shape());
@@ -284,13 +283,12 @@ fn refuse_above(most: usize, pixels: usize) -> Result<(), BemError> {
 
 /// An estimate of the share in contact: √(2π) p/(E g), and p/H where that is more.
 fn expected_area(setup: &BoundaryElements, pressure: f64) -> f64 {
-    let map = setup.map();
+    let map = &setup.map;
     let columns = map.shape()[1];
     let [_, dx] = map.pixel();
     let rows = map.heights().chunks(columns);
     let slopes = rows.flat_map(|row| row.windows(2).map(|pair| ((pair[1] - pair[0]) / dx).powi(2)));
     let square = 2.0 * slopes.sum::<f64>() / map.heights().len() as f64;
-    let elastic =
-        if square > 0.0 { 2.5 * pressure / (setup.modulus() * square.sqrt()) } else { 1.0 };
+    let elastic = if square > 0.0 { 2.5 * pressure / (setup.modulus * square.sqrt()) } else { 1.0 };
     elastic.max(pressure / setup.cap())
 }

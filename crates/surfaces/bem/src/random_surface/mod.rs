@@ -120,16 +120,9 @@ impl RandomSurface {
                 return Err(BemError::OutOfRange { field, found, required });
             }
         }
-        let [hurst, side, aspect, size] = [Self::HURST, 1.0, 1.0, 1.0];
-        let size = Size::Gradient(size);
-        let (lay, skewness, seed) = (None, None, 0);
-        let this =
-            Self { longest, roll_off, shortest, hurst, side, aspect, size, lay, skewness, seed };
-        if this.waves().next().is_none() {
-            let required = "at least one whole wave between the longest and the shortest";
-            return Err(BemError::OutOfRange { field: "shortest", found: shortest, required });
-        }
-        Ok(this)
+        let required = "at least one whole wave between the longest and the shortest";
+        let none = BemError::OutOfRange { field: "shortest", found: shortest, required };
+        Self::of([longest, roll_off, shortest], [1.0; 2], none)
     }
 
     /// A surface of `size` = \[length of a row, length of a column\] \[m\] whose waves have the
@@ -158,25 +151,23 @@ impl RandomSurface {
             let required = "at least 1/8192 of the size";
             return Err(BemError::OutOfRange { field: "shortest wave", found: shortest, required });
         }
-        let [longest_waves, roll_off, shortest_waves] =
-            [longest, roll_off, shortest].map(|length| row / length);
-        let this = Self {
-            longest: longest_waves,
-            roll_off,
-            shortest: shortest_waves,
-            hurst: Self::HURST,
-            side: row,
-            aspect: row / column,
-            size: Size::Gradient(1.0),
-            lay: None,
-            skewness: None,
-            seed: 0,
-        };
-        if this.waves().next().is_none() {
-            let required = "at least one whole wave on the size between longest and shortest";
-            return Err(BemError::OutOfRange { field: "longest wave", found: longest, required });
-        }
-        Ok(this)
+        let required = "at least one whole wave on the size between longest and shortest";
+        let none = BemError::OutOfRange { field: "longest wave", found: longest, required };
+        let waves = [longest, roll_off, shortest].map(|length| row / length);
+        Self::of(waves, [row, row / column], none)
+    }
+
+    /// A surface of these cut-offs; the error `none` if no whole wave lies between them.
+    fn of(
+        [longest, roll_off, shortest]: [f64; 3],
+        [side, aspect]: [f64; 2],
+        none: BemError,
+    ) -> Result<Self, BemError> {
+        let (hurst, size) = (Self::HURST, Size::Gradient(1.0));
+        let (lay, skewness, seed) = (None, None, 0);
+        let this =
+            Self { longest, roll_off, shortest, hurst, side, aspect, size, lay, skewness, seed };
+        if this.waves().next().is_some() { Ok(this) } else { Err(none) }
     }
 
     /// Another Hurst exponent.
