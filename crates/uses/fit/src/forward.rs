@@ -247,7 +247,7 @@ impl<'f> Forward<'f> {
 
     /// The reading of the separation under a load.
     fn separation(&self, on: &OnScene<'_, '_>, rig: Rig, at: At) -> Predicted {
-        let (unit, from) = (SeparationUnit::Metres, self.data.datum());
+        let (unit, from) = (SeparationUnit::Metres, self.data.from);
         let scene = self.model.scene_of(on.scene)?;
         let separation = on.separation(at)?.measured_in(unit, from, &scene)?;
         let load = at.load(on.scene).unwrap_or(0.0);
