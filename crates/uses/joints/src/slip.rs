@@ -108,11 +108,8 @@ impl PartialSlip {
         let spring = std::f64::consts::PI * force * amplitude;
         if loss < f64::MIN_POSITIVE || spring < f64::MIN_POSITIVE {
             let required = "an amplitude with a loss of at least 2.2e-308 J";
-            return Err(ContactError::OutOfRange {
-                field: "amplitude",
-                value: amplitude,
-                required,
-            });
+            let (field, value) = ("amplitude", amplitude);
+            return Err(ContactError::OutOfRange { field, value, required });
         }
         Ok(loss / spring)
     }

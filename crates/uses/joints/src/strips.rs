@@ -92,11 +92,8 @@ impl Joint {
             last *= 1.5;
             if last > MAX_DISTANCE * sigma {
                 let required = "larger, as the force stays above it up to 1e8 asperity_height_std,";
-                return Err(ContactError::OutOfRange {
-                    field: "tolerance",
-                    value: tolerance,
-                    required,
-                });
+                let (field, value) = ("tolerance", tolerance);
+                return Err(ContactError::OutOfRange { field, value, required });
             }
         }
         // Without contact at the closest approach, the last retreat shrinks to the limit.

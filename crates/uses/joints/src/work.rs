@@ -90,11 +90,8 @@ impl Joint {
             if from > MAX_DISTANCE * sigma {
                 let field = "share of the work beyond 1e8 asperity_height_std";
                 let required = "about 0, for which the heights need a lighter tail,";
-                return Err(ContactError::OutOfRange {
-                    field,
-                    value: panel.value / work,
-                    required,
-                });
+                let value = panel.value / work;
+                return Err(ContactError::OutOfRange { field, value, required });
             }
         }
     }
