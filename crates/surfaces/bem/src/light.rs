@@ -52,19 +52,13 @@ pub struct LightContact {
     pub iterations: usize,
 }
 
-/// Influence coefficients between some pixels: symmetric matrices, row after row.
-struct Coefficients {
-    deflect: Vec<f64>,
-    undo: Vec<f64>,
-}
+/// Influence coefficients of each [`Filter`] between some pixels: symmetric matrices, row after
+/// row.
+struct Coefficients([Vec<f64>; 2]);
 
 impl Compliance for Coefficients {
     fn apply(&mut self, filter: Filter, map: &mut [f64]) {
-        let matrix = match filter {
-            Filter::Deflect => &self.deflect,
-            Filter::Undo => &self.undo,
-        };
-        let given = map.to_vec();
+        let (matrix, given) = (&self.0[filter as usize], map.to_vec());
         map.fill(0.0);
         // Most pixels carry nothing.
         for (row, value) in matrix.chunks(given.len()).zip(given).filter(|(_, x)| *x != 0.0) {
@@ -73,29 +67,28 @@ impl Compliance for Coefficients {
     }
 }
 
-/// Responses of the whole map to a pixel in its corner.
+/// Responses of the whole map to a pixel in its corner, by each [`Filter`].
 struct Responses {
     columns: usize,
-    deflect: Vec<f64>,
-    undo: Vec<f64>,
+    maps: [Vec<f64>; 2],
 }
 
 impl Responses {
     fn new(pixels: usize, columns: usize, space: &mut HalfSpace) -> Self {
-        let mut of = |filter| {
+        let maps = [Filter::Deflect, Filter::Undo].map(|filter| {
             let mut map = vec![0.0; pixels];
             map[0] = 1.0;
             space.apply(filter, &mut map);
             map
-        };
-        Self { columns, deflect: of(Filter::Deflect), undo: of(Filter::Undo) }
+        });
+        Self { columns, maps }
     }
 
     fn between(&self, pixels: &[usize]) -> Coefficients {
         let columns = self.columns;
         let places: Vec<(usize, usize)> =
             pixels.iter().map(|at| (at / columns, at % columns)).collect();
-        let of = |response: &[f64]| {
+        let of = |response: &Vec<f64>| {
             let mut matrix = Vec::with_capacity(places.len() * places.len());
             for (i, j) in &places {
                 matrix.extend(
@@ -104,7 +97,7 @@ impl Responses {
             }
             matrix
         };
-        Coefficients { deflect: of(&self.deflect), undo: of(&self.undo) }
+        Coefficients(self.maps.each_ref().map(of))
     }
 }
 
@@ -207,7 +200,9 @@ impl<'a> Light<'a> {
                 .filter(|(_, pressure)| **pressure >= cap)
                 .map(|((height, u), _)| (reached.offset - problem.distance(u, *height)).max(0.0));
             let depth: f64 = depths.sum::<f64>() / heights.len() as f64;
-            self.keep_contact();
+            // Only the pixels in contact are left.
+            let all = self.pixels.iter().copied().zip(self.pressures.iter().copied());
+            (self.pixels, self.pressures) = all.filter(|(_, pressure)| *pressure > 0.0).unzip();
             let (mean_gap, residual) = (highest - reached.offset, reached.residual);
             return Ok(self.contact(fixed.stiffness, [mean_gap, depth], residual, iterations));
         }
@@ -239,12 +234,6 @@ impl<'a> Light<'a> {
         all.sort_unstable_by_key(|(at, _)| *at);
         (self.pixels, self.pressures) = all.into_iter().unzip();
         Ok(true)
-    }
-
-    /// Leaves only the pixels in contact.
-    fn keep_contact(&mut self) {
-        let all = self.pixels.iter().copied().zip(self.pressures.iter().copied());
-        (self.pixels, self.pressures) = all.filter(|(_, pressure)| *pressure > 0.0).unzip();
     }
 
     fn contact(

@@ -4,9 +4,9 @@
 //! integral, over the pressures from side to side, of the conductance of the map. That of a liquid
 //! is h³/(12 μ) at any pressure; that of a gas follows from a flow at each of four pressures.
 //!
-//! A gas, isothermal, from a continuum to free molecules, flows with the mass ṁ' = -(h²/v) Q(D) dp/dx
-//! per width, with v = √(2 R T) and the inverse Knudsen number D = p h/(μ v), which differs from
-//! pixel to pixel and along the pressure.
+//! A gas, isothermal, from a continuum to free molecules, flows with the mass ṁ' = -(h²/v) Q(D)
+//! dp/dx per width, with v = √(2 R T) and the inverse Knudsen number D = p h/(μ v), which differs
+//! from pixel to pixel and along the pressure.
 
 use std::collections::BinaryHeap;
 use std::f64::consts::PI;

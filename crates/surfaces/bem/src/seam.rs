@@ -95,9 +95,7 @@ impl HeightMap {
         let heights = self.heights().iter().zip(&steps).map(|(h, s)| h - s.re);
         self.with_heights(heights.collect())
     }
-}
 
-impl HeightMap {
     /// The waves of the map as it is repeated: wave numbers \[1/m\] above 0, and mean square
     /// heights \[m²\], which add up to Sq².
     #[must_use]

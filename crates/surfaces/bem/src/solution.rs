@@ -4,7 +4,7 @@ use std::f64::consts::{LN_2, PI};
 
 use asperity_core::{At, Finding};
 
-use crate::{Boundary, BoundaryElements, note};
+use crate::{Boundary, HeightMap, note};
 
 /// A load case: the prescribed pressure, load or gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,12 +96,11 @@ impl Fields {
 
 impl Solution {
     pub(crate) fn new(
-        setup: &BoundaryElements,
         given: LoadCase,
+        (map, boundary, cap): (&HeightMap, Boundary, f64),
         fields: Fields,
         mut notes: Vec<Finding>,
     ) -> Self {
-        let (map, boundary, cap) = (&setup.map, setup.boundary_condition(), setup.cap());
         let mean_gap = fields.mean_gap();
         let Fields { pressures, gaps, separation, residual, iterations } = fields;
         let pixels = pressures.len() as f64;

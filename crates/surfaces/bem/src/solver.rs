@@ -233,7 +233,8 @@ impl<'a> Run<'a> {
                 Err(BemError::OutOfRange { field: "separation", found, required })
             }
         }?;
-        Ok(Solution::new(self.setup, given, fields, self.resolution.clone()))
+        let of = (&self.setup.map, self.setup.boundary_condition(), self.setup.cap());
+        Ok(Solution::new(given, of, fields, self.resolution.clone()))
     }
 
     /// Contact at a mean pressure.

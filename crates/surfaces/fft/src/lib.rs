@@ -56,8 +56,8 @@ pub fn real_inverse(n: usize) -> Arc<dyn ComplexToReal<f64>> {
     realfft::RealFftPlanner::new().plan_fft_inverse(n)
 }
 
-/// Transforms the rows of a map, then its columns, by [`forward`] or [`inverse`], and transposes it:
-/// row i, column j becomes row j, column i.
+/// Transforms the rows of a map, then its columns, by [`forward`] or [`inverse`], and transposes
+/// it: row i, column j becomes row j, column i.
 pub fn transform(
     map: &mut Vec<Complex64>,
     [rows, columns]: [usize; 2],

@@ -1,8 +1,6 @@
 //! Reproducible random surfaces: a power law with a roll-off and random phases.
 
-mod another;
 mod lay;
-mod skewed;
 mod waves;
 
 use std::f64::consts::TAU;
@@ -13,7 +11,7 @@ use asperity_fft::Complex64;
 use crate::height_map::positive;
 use crate::{BemError, HeightMap};
 use lay::Lay;
-use waves::Waves;
+use waves::{Waves, mix, skewed};
 
 /// The most waves along a side.
 const MOST: f64 = 8192.0;
@@ -278,7 +276,7 @@ impl RandomSurface {
             waves.set(i, j, Complex64::from_polar(0.5 * amplitude, phase));
         }
         let heights = match self.skewness {
-            Some(skewness) => skewed::heights(&waves, skewness)?,
+            Some(skewness) => skewed(&waves, skewness)?,
             None => waves.heights(),
         };
         let [rows, columns] = shape;
@@ -329,12 +327,4 @@ impl RandomSurface {
             Size::Height(sq) => sq * sq / self.waves().map(|wave| wave.weight).sum::<f64>(),
         }
     }
-}
-
-/// The next number of SplitMix64 after the state z.
-fn mix(z: u64) -> u64 {
-    let z = z.wrapping_add(0x9E37_79B9_7F4A_7C15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    z ^ (z >> 31)
 }
