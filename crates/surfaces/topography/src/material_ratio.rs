@@ -118,11 +118,11 @@ impl MaterialRatio {
         "curve,material_ratio,height_m\n".to_owned() + &rows.map(row).collect::<String>()
     }
 
-    /// Sk \[m\], the height of the core by the line fitted to the secant of least slope over 40 % of
-    /// the curve; Spk and Svk \[m\], reduced heights of the peaks above and the dales below the core;
+    /// Sk \[m\], the height of the core by the line fitted to the secant of least slope over 40 %
+    /// of the curve; Spk and Svk \[m\], reduced heights of the peaks above and the dales below it;
     /// Smr1 and Smr2, material ratios from 0 to 1 at its top and bottom; Vmp, Vmc, Vvc and Vvv
-    /// \[m³/m²\], the material above the height of 10 % and between those of 10 and 80 %, the voids
-    /// there and below 80 %.
+    /// \[m³/m²\], the material above the height of 10 % and between those of 10 and 80 %, the
+    /// voids there and below 80 %.
     #[must_use]
     pub fn functional(&self) -> [f64; 9] {
         let (_, [top, bottom]) = self.core();

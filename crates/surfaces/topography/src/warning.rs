@@ -2,7 +2,7 @@
 
 use asperity_core::{Advice, Code, Finding, Surface};
 
-use crate::despike::MATTERS;
+use crate::outliers::MATTERS;
 use crate::{Level, Moments, Outliers, Texture, TopographyError};
 
 /// Factor above which two parameters disagree.
