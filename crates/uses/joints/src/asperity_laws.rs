@@ -29,6 +29,13 @@ pub(crate) enum UnloadingQuantity {
     Returned,
 }
 
+impl UnloadingQuantity {
+    /// Whether asperities that have lost contact count, and nothing is there without a retreat.
+    pub(crate) fn sums_up(self) -> bool {
+        matches!(self, Self::Released | Self::Loss | Self::Returned)
+    }
+}
+
 /// The loading laws of one asperity with its unloading law.
 #[derive(Debug)]
 pub(crate) struct AsperityLaws {

@@ -77,7 +77,6 @@ mod joint;
 mod path;
 #[cfg(test)]
 mod published;
-mod remaining;
 mod retreat_model;
 mod slip;
 mod strips;

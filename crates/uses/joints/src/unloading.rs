@@ -185,12 +185,7 @@ impl Unloading {
             let required = "a finite number, at least 0,";
             return Err(ContactError::OutOfRange { field: "retreat", value: retreat, required });
         }
-        if retreat == 0.0
-            && matches!(
-                quantity,
-                UnloadingQuantity::Released | UnloadingQuantity::Loss | UnloadingQuantity::Returned
-            )
-        {
+        if retreat == 0.0 && quantity.sums_up() {
             return Ok(Evaluation::new(0.0, 0.0));
         }
         let found = self.joint.retreated(quantity, retreat, &[self.place])?.into_iter().next();
