@@ -168,7 +168,6 @@ impl Data {
                 found.push(Observation { row: k + 1, value: 1.0, std: None, ..one.placed_at(x) });
             }
         }
-        let (lines, both_loads) = (self.lines.clone(), vec![]);
-        Self { observations: found, from: self.from, lines, both_loads, ..self.clone() }
+        Self { observations: found, both_loads: vec![], ..self.clone() }
     }
 }

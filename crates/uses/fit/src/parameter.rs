@@ -2,6 +2,7 @@
 
 use asperity_core::{At, Quantity, Scene, short};
 
+use crate::forward::STIFFNESSES;
 use crate::{Data, FitError, Measured, Observation};
 
 /// The factor either way of the start within which a parameter is varied by default.
@@ -170,10 +171,7 @@ fn span(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
 
 /// A tenth of the smallest compliance that was measured, or of the readings over the loads.
 fn usual_compliance(data: &Data, scene: &Scene) -> Option<f64> {
-    let stiffness = |one: &&Observation| {
-        let stiffnesses = [Quantity::Stiffness, Quantity::Tangent, Quantity::UnloadingStiffness];
-        matches!(one.measured, Measured::Quantity(quantity) if stiffnesses.contains(&quantity))
-    };
+    let stiffness = |one: &&Observation| matches!(one.measured, Measured::Quantity(quantity) if STIFFNESSES.contains(&quantity));
     if let Some([_, stiffest]) = span(data.iter().filter(stiffness).map(|one| one.value)) {
         return Some(0.1 / stiffest).filter(|usual| *usual > 0.0 && usual.is_finite());
     }
