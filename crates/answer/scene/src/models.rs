@@ -45,7 +45,9 @@ impl SceneFile {
                 // No solved surface is that of curved bodies.
                 Some(shape) => {
                     let model = self.flat_model(options, usual_reference(&self.scene))?;
-                    Model::new(self.between_bodies(model, shape).under(Best::<Model>::ID))
+                    let mut between = self.between_bodies(model, shape);
+                    between.id = Some(Best::<Model>::ID);
+                    Model::new(between)
                 }
                 None => Model::new(self.best_with(options)),
             }),
@@ -102,7 +104,9 @@ impl SceneFile {
     }
 
     fn between_bodies(&self, model: Model, shape: Shape) -> BetweenCurved {
-        BetweenCurved::new(model, shape).yielding_at(self.spec.strength())
+        let mut between = BetweenCurved::new(model, shape);
+        between.strength = self.spec.strength();
+        between
     }
 
     /// What is known best about the scene, by its models and the shape of its surface.

@@ -1,6 +1,6 @@
 //! The report of a measured surface: its map, and its curves.
 
-use asperity_topography::{Functional, Glance, MaterialRatio, Parameters, Topography};
+use asperity_topography::{Glance, MaterialRatio, Parameters, Topography};
 
 use crate::canvas::{Type, picture};
 use crate::draw;
@@ -97,7 +97,7 @@ pub fn draw_material_ratio(
     title: &str,
 ) -> Result<String, PlotError> {
     let csv = curve.csv();
-    let Functional { sk, spk, svk, smr1, smr2, .. } = curve.functional();
+    let [sk, spk, svk, smr1, smr2, ..] = curve.functional();
     let (height, of_height) = legible(curve.height(0.0) - curve.height(1.0), "m");
     let x = Axis::new("material_ratio", "material ratio (%)").times(100.0).range(0.0, 1.0);
     let y = Axis::new("height_m", &format!("height above the mean ({of_height})"));

@@ -36,11 +36,7 @@ impl Continuation {
     /// Its name in options and answers: `periodic`, `periodic-part`, `free`.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Periodic => "periodic",
-            Self::PeriodicPart => "periodic-part",
-            Self::Free => "free",
-        }
+        ["periodic", "periodic-part", "free"][self as usize]
     }
 
     /// The continuation of this name.
@@ -65,8 +61,30 @@ impl Continuation {
     pub(crate) fn note(self, map: &HeightMap) -> Option<Finding> {
         match self {
             Self::Periodic => None,
-            Self::PeriodicPart => Some(taken_part(map.seam_step())),
-            Self::Free => Some(single_body(map.seam_kink())),
+            Self::PeriodicPart => {
+                let step = map.seam_step();
+                let found = Finding::note(Code::PeriodicPart, "seam_step", step)
+                    .usual([0.0, LARGEST_STEP])
+                    .fact(format!(
+                        "the edges of the scan do not match (step {step:.1} times that between neighbours)"
+                    ))
+                    .advice(
+                        "its periodic component is used; boundary \"periodic\", or periodic = true, uses the scan with this step, boundary \"free\" without repetition",
+                    );
+                Some(found)
+            }
+            Self::Free => {
+                let kink = map.seam_kink();
+                let found = Finding::note(Code::SingleBody, "seam_kink", kink)
+                    .usual([0.0, LARGEST_KINK])
+                    .fact(format!(
+                        "the edges of the scan match, but its slope changes there {kink:.0} times as much as inside"
+                    ))
+                    .advice(
+                        "the scan is taken as a single body (boundary \"free\"); boundary \"periodic\", or periodic = true, repeats it",
+                    );
+                Some(found)
+            }
         }
     }
 
@@ -90,30 +108,4 @@ impl fmt::Display for Continuation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())
     }
-}
-
-/// A note that the periodic component is used by default; `step` is the
-/// [step at the edges](HeightMap::seam_step).
-fn taken_part(step: f64) -> Finding {
-    Finding::note(Code::PeriodicPart, "seam_step", step)
-        .usual([0.0, LARGEST_STEP])
-        .fact(format!(
-            "the edges of the scan do not match (step {step:.1} times that between neighbours)"
-        ))
-        .advice(
-            "its periodic component is used; boundary \"periodic\", or periodic = true, uses the scan with this step, boundary \"free\" without repetition",
-        )
-}
-
-/// A note that a map is taken as one body by default, because its slopes change at the edges by
-/// this [kink](HeightMap::seam_kink).
-fn single_body(kink: f64) -> Finding {
-    Finding::note(Code::SingleBody, "seam_kink", kink)
-        .usual([0.0, LARGEST_KINK])
-        .fact(format!(
-            "the edges of the scan match, but its slope changes there {kink:.0} times as much as inside"
-        ))
-        .advice(
-            "the scan is taken as a single body (boundary \"free\"); boundary \"periodic\", or periodic = true, repeats it",
-        )
 }

@@ -42,7 +42,7 @@ pub(crate) trait Compliance {
 ///
 /// Real transforms of the rows, a transposition in blocks, complex transforms of the columns with
 /// the filter between, and back: three passes over memory.
-pub(crate) struct HalfSpace {
+pub struct HalfSpace {
     rows: usize,
     columns: usize,
     padded_rows: usize,
@@ -59,16 +59,26 @@ pub(crate) struct HalfSpace {
 
 impl HalfSpace {
     pub(crate) fn new(map: &HeightMap, modulus: f64, boundary: Boundary) -> Self {
-        let [rows, columns] = map.shape();
-        let padded @ [padded_rows, padded_columns] = match boundary {
-            Boundary::Periodic => [rows, columns],
-            Boundary::Free => [2 * fast_length(rows), 2 * fast_length(columns)],
-        };
+        let (shape, pixel) = (map.shape(), map.pixel());
+        match boundary {
+            Boundary::Periodic => Self::of_waves(shape, shape, waves(shape, pixel, modulus)),
+            Boundary::Free => {
+                let padded = shape.map(|n| 2 * fast_length(n));
+                Self::of_waves(shape, padded, rectangles(padded, pixel, modulus))
+            }
+        }
+    }
+
+    /// From the `compliance` \[m/Pa\] of the waves on `padded` = \[rows, columns\] pixels, of which
+    /// a map has the first of both; that of wave i down a column and j along a row stands at
+    /// `j * (rows / 2 + 1) + i`, up to half of rows and columns.
+    #[must_use]
+    pub fn of_waves(
+        [rows, columns]: [usize; 2],
+        [padded_rows, padded_columns]: [usize; 2],
+        compliance: Vec<f64>,
+    ) -> Self {
         let half = padded_columns / 2 + 1;
-        let compliance = match boundary {
-            Boundary::Periodic => waves(padded, map.pixel(), modulus),
-            Boundary::Free => rectangles(padded, map.pixel(), modulus),
-        };
         Self {
             rows,
             columns,
@@ -82,6 +92,12 @@ impl HalfSpace {
             by_rows: vec![Complex64::ZERO; rows * half],
             by_columns: vec![Complex64::ZERO; half * padded_rows],
         }
+    }
+
+    /// The deflections \[m\] under these pressures \[Pa\], row after row.
+    pub fn deflect(&mut self, pressures: &[f64], deflections: &mut [f64]) {
+        deflections.copy_from_slice(pressures);
+        parallel::inside(|| self.apply(Filter::Deflect, deflections));
     }
 
     /// Squares of the amplitudes of `map`'s waves: `each` gets them with the frequencies of the

@@ -59,16 +59,7 @@ impl BoundaryElements {
     }
 
     pub(crate) fn gap_map(&self, solution: &Solution) -> Result<GapMap<'_>, BemError> {
-        self.gap_map_by(solution, cube)
-    }
-
-    /// The gap map of a contact in which a gap conducts this share of the largest.
-    pub(crate) fn gap_map_by(
-        &self,
-        solution: &Solution,
-        share: impl Fn(f64, f64) -> f64,
-    ) -> Result<GapMap<'_>, BemError> {
-        Ok(self.gap_map_of(self.open_gaps(solution)?, share))
+        Ok(self.gap_map_of(self.open_gaps(solution)?, cube))
     }
 
     /// The gap of every pixel \[m\], 0 in contact.
@@ -83,10 +74,11 @@ impl BoundaryElements {
 
     /// The gap map of surfaces that do not touch, apart by this mean gap \[m\].
     pub(crate) fn open_gap_map(&self, mean_gap: f64) -> GapMap<'_> {
-        self.gap_map_of(self.map().heights().iter().map(|height| mean_gap - height), cube)
+        self.gap_map_of(self.map.heights().iter().map(|height| mean_gap - height), cube)
     }
 
-    fn gap_map_of(
+    /// The map of these gaps \[m\], each of which conducts this share of the largest.
+    pub(crate) fn gap_map_of(
         &self,
         gaps: impl Iterator<Item = f64>,
         share: impl Fn(f64, f64) -> f64,
@@ -97,7 +89,7 @@ impl BoundaryElements {
             shares.iter_mut().for_each(|gap| *gap = share(*gap, largest));
         }
         let periodic = self.boundary_condition() == Boundary::Periodic;
-        let map = self.map();
+        let map = &self.map;
         GapMap { map, largest, network: Network::new(shares, map.shape(), map.pixel(), periodic) }
     }
 }

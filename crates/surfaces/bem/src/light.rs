@@ -11,8 +11,7 @@ use crate::half_space::{Compliance, Filter, HalfSpace};
 use crate::height_map::positive;
 use crate::iteration::{Iteration, Problem};
 use crate::parallel::number;
-use crate::patches::patches;
-use crate::solution::{corrected_area, edges};
+use crate::solution::{corrected_area, edges, patches};
 use crate::unloading::even_approach;
 use crate::{BemError, Boundary, BoundaryElements};
 
@@ -53,19 +52,13 @@ pub struct LightContact {
     pub iterations: usize,
 }
 
-/// Influence coefficients between some pixels: symmetric matrices, row after row.
-struct Coefficients {
-    deflect: Vec<f64>,
-    undo: Vec<f64>,
-}
+/// Influence coefficients of each [`Filter`] between some pixels: symmetric matrices, row after
+/// row.
+struct Coefficients([Vec<f64>; 2]);
 
 impl Compliance for Coefficients {
     fn apply(&mut self, filter: Filter, map: &mut [f64]) {
-        let matrix = match filter {
-            Filter::Deflect => &self.deflect,
-            Filter::Undo => &self.undo,
-        };
-        let given = map.to_vec();
+        let (matrix, given) = (&self.0[filter as usize], map.to_vec());
         map.fill(0.0);
         // Most pixels carry nothing.
         for (row, value) in matrix.chunks(given.len()).zip(given).filter(|(_, x)| *x != 0.0) {
@@ -74,29 +67,28 @@ impl Compliance for Coefficients {
     }
 }
 
-/// Responses of the whole map to a pixel in its corner.
+/// Responses of the whole map to a pixel in its corner, by each [`Filter`].
 struct Responses {
     columns: usize,
-    deflect: Vec<f64>,
-    undo: Vec<f64>,
+    maps: [Vec<f64>; 2],
 }
 
 impl Responses {
     fn new(pixels: usize, columns: usize, space: &mut HalfSpace) -> Self {
-        let mut of = |filter| {
+        let maps = [Filter::Deflect, Filter::Undo].map(|filter| {
             let mut map = vec![0.0; pixels];
             map[0] = 1.0;
             space.apply(filter, &mut map);
             map
-        };
-        Self { columns, deflect: of(Filter::Deflect), undo: of(Filter::Undo) }
+        });
+        Self { columns, maps }
     }
 
     fn between(&self, pixels: &[usize]) -> Coefficients {
         let columns = self.columns;
         let places: Vec<(usize, usize)> =
             pixels.iter().map(|at| (at / columns, at % columns)).collect();
-        let of = |response: &[f64]| {
+        let of = |response: &Vec<f64>| {
             let mut matrix = Vec::with_capacity(places.len() * places.len());
             for (i, j) in &places {
                 matrix.extend(
@@ -105,7 +97,7 @@ impl Responses {
             }
             matrix
         };
-        Coefficients { deflect: of(&self.deflect), undo: of(&self.undo) }
+        Coefficients(self.maps.each_ref().map(of))
     }
 }
 
@@ -129,7 +121,7 @@ impl BoundaryElements {
         order.sort_by(|a, b| b.1.total_cmp(&a.1));
         let Some((_, heaviest)) = order.first() else { return Ok(vec![]) };
         if self.boundary_condition() != Boundary::Periodic {
-            return Err(BemError::NotLight { pixels: self.map().heights().len(), most: 0 });
+            return Err(BemError::NotLight { pixels: self.map.heights().len(), most: 0 });
         }
         let mut light = Light::new(self, *heaviest)?;
         let mut found = vec![];
@@ -157,9 +149,9 @@ struct Light<'a> {
 
 impl<'a> Light<'a> {
     fn new(setup: &'a BoundaryElements, heaviest: f64) -> Result<Self, BemError> {
-        let map = setup.map();
+        let map = &setup.map;
         let heights = map.heights();
-        let mut space = HalfSpace::new(map, setup.modulus(), Boundary::Periodic);
+        let mut space = HalfSpace::new(map, setup.modulus, Boundary::Periodic);
         let count = MARGIN * expected_area(setup, heaviest) * heights.len() as f64;
         let count = (count as usize).max(LEAST_CANDIDATES).min(heights.len());
         refuse_above(MOST_CANDIDATES, count)?;
@@ -181,7 +173,7 @@ impl<'a> Light<'a> {
 
     fn solve(&mut self, pressure: f64) -> Result<LightContact, BemError> {
         let Self { setup, highest, .. } = *self;
-        let (heights, cap) = (setup.map().heights(), setup.cap());
+        let (heights, cap) = (setup.map.heights(), setup.cap());
         let load = pressure * heights.len() as f64;
         let goal = setup.goal(setup.scale(pressure, self.rms_height));
         let mut iterations = 0;
@@ -208,7 +200,9 @@ impl<'a> Light<'a> {
                 .filter(|(_, pressure)| **pressure >= cap)
                 .map(|((height, u), _)| (reached.offset - problem.distance(u, *height)).max(0.0));
             let depth: f64 = depths.sum::<f64>() / heights.len() as f64;
-            self.keep_contact();
+            // Only the pixels in contact are left.
+            let all = self.pixels.iter().copied().zip(self.pressures.iter().copied());
+            (self.pixels, self.pressures) = all.filter(|(_, pressure)| *pressure > 0.0).unzip();
             let (mean_gap, residual) = (highest - reached.offset, reached.residual);
             return Ok(self.contact(fixed.stiffness, [mean_gap, depth], residual, iterations));
         }
@@ -219,7 +213,7 @@ impl<'a> Light<'a> {
     /// Adds the pixels whose [distance](Problem::distance) is below `offset` to the candidates, by
     /// one transform of the whole map; true if there are any.
     fn add_pixels_below(&mut self, offset: f64) -> Result<bool, BemError> {
-        let heights = self.setup.map().heights();
+        let heights = self.setup.map.heights();
         let mut deflections = vec![0.0; heights.len()];
         for (at, pressure) in self.pixels.iter().zip(&self.pressures) {
             deflections[*at] = *pressure;
@@ -242,12 +236,6 @@ impl<'a> Light<'a> {
         Ok(true)
     }
 
-    /// Leaves only the pixels in contact.
-    fn keep_contact(&mut self) {
-        let all = self.pixels.iter().copied().zip(self.pressures.iter().copied());
-        (self.pixels, self.pressures) = all.filter(|(_, pressure)| *pressure > 0.0).unzip();
-    }
-
     fn contact(
         &self,
         unloading_stiffness: f64,
@@ -255,7 +243,7 @@ impl<'a> Light<'a> {
         residual: f64,
         iterations: usize,
     ) -> LightContact {
-        let map = self.setup.map();
+        let map = &self.setup.map;
         let pixels = map.heights().len() as f64;
         let plastic = self.pressures.iter().filter(|p| **p >= self.setup.cap()).count();
         let (mut touching, shape) = (vec![false; map.heights().len()], map.shape());
@@ -284,13 +272,12 @@ fn refuse_above(most: usize, pixels: usize) -> Result<(), BemError> {
 
 /// An estimate of the share in contact: √(2π) p/(E g), and p/H where that is more.
 fn expected_area(setup: &BoundaryElements, pressure: f64) -> f64 {
-    let map = setup.map();
+    let map = &setup.map;
     let columns = map.shape()[1];
     let [_, dx] = map.pixel();
     let rows = map.heights().chunks(columns);
     let slopes = rows.flat_map(|row| row.windows(2).map(|pair| ((pair[1] - pair[0]) / dx).powi(2)));
     let square = 2.0 * slopes.sum::<f64>() / map.heights().len() as f64;
-    let elastic =
-        if square > 0.0 { 2.5 * pressure / (setup.modulus() * square.sqrt()) } else { 1.0 };
+    let elastic = if square > 0.0 { 2.5 * pressure / (setup.modulus * square.sqrt()) } else { 1.0 };
     elastic.max(pressure / setup.cap())
 }

@@ -23,60 +23,24 @@ pub(crate) struct Projection {
     pub(crate) cut: bool,
 }
 
-/// Where the pixels would end without bounds.
-#[derive(Clone, Copy)]
-struct Ends {
-    lowest: f64,
-    highest: f64,
-    /// Number of the pixels that move.
-    moving: f64,
-    /// Sum of the pressures of those that do not.
-    stay: f64,
-    /// Sum over those that do.
-    sum: f64,
-}
-
-impl Ends {
-    const NONE: Self = Self {
-        lowest: f64::INFINITY,
-        highest: f64::NEG_INFINITY,
-        moving: 0.0,
-        stay: 0.0,
-        sum: 0.0,
-    };
-
-    fn with(self, from: f64, direction: f64, length: f64) -> Self {
-        if direction == 0.0 {
-            return Self { stay: self.stay + from, ..self };
-        }
-        let end = from - length * direction;
-        Self {
-            lowest: self.lowest.min(end),
-            highest: self.highest.max(end),
-            moving: self.moving + 1.0,
-            stay: self.stay,
-            sum: self.sum + end,
-        }
-    }
-
-    fn join(self, other: Self) -> Self {
-        Self {
-            lowest: self.lowest.min(other.lowest),
-            highest: self.highest.max(other.highest),
-            moving: self.moving + other.moving,
-            stay: self.stay + other.stay,
-            sum: self.sum + other.sum,
-        }
-    }
-}
-
 impl Projection {
     pub(crate) fn new(from: &[f64], direction: &[f64], length: f64, cap: f64, load: f64) -> Self {
         let mut this = Self { length, highest: 0.0, level: 0.0, cap, cut: true };
         let maps = [from, direction];
-        let fold = |ends: Ends, [from, direction]: [f64; 2]| ends.with(from, direction, length);
-        let Ends { lowest, highest, moving, stay, sum: all } =
-            reduce(maps, Ends::NONE, fold, Ends::join);
+        // Where the pixels would end without bounds: the lowest and the highest end, the number of
+        // pixels that move, the sum of the pressures of those that do not, and that of the ends.
+        let fold = |[lowest, highest, moving, stay, all]: [f64; 5], [from, direction]: [f64; 2]| {
+            if direction == 0.0 {
+                return [lowest, highest, moving, stay + from, all];
+            }
+            let end = from - length * direction;
+            [f64::min(lowest, end), f64::max(highest, end), moving + 1.0, stay, all + end]
+        };
+        let join = |a: [f64; 5], b: [f64; 5]| {
+            [a[0].min(b[0]), a[1].max(b[1]), a[2] + b[2], a[3] + b[3], a[4] + b[4]]
+        };
+        let zero = [f64::INFINITY, f64::NEG_INFINITY, 0.0, 0.0, 0.0];
+        let [lowest, highest, moving, stay, all] = reduce(maps, zero, fold, join);
         let need = load - stay;
         if lowest >= 0.0 && highest <= cap && (all - need).abs() <= BALANCE * load {
             this.cut = false;

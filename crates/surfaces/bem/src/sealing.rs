@@ -42,10 +42,10 @@ impl BoundaryElements {
         molecule: f64,
         mut progress: impl FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<([Option<Sealing>; 2], Option<Solution>), BemError> {
-        let slope = self.map().rms_height() / self.map().area().sqrt();
+        let slope = self.map.rms_height() / self.map.area().sqrt();
         // A flat map is closed at any pressure.
         let slope = if slope > 0.0 { slope } else { 1.0 };
-        let start = (START * self.modulus() * slope).min(0.5 * self.cap());
+        let start = (START * self.modulus * slope).min(0.5 * self.cap());
         let mut run = Run::new(self);
         let mut known: Vec<Tried> = vec![];
         let mut heaviest: Option<Solution> = None;

@@ -2,9 +2,8 @@
 
 use std::f64::consts::TAU;
 use std::ops::Range;
-use std::sync::Arc;
 
-use asperity_fft::{Complex64, Fft};
+use asperity_fft::{Complex64, transform};
 
 use crate::HeightMap;
 
@@ -96,9 +95,7 @@ impl HeightMap {
         let heights = self.heights().iter().zip(&steps).map(|(h, s)| h - s.re);
         self.with_heights(heights.collect())
     }
-}
 
-impl HeightMap {
     /// The waves of the map as it is repeated: wave numbers \[1/m\] above 0, and mean square
     /// heights \[m²\], which add up to Sq².
     #[must_use]
@@ -118,18 +115,6 @@ impl HeightMap {
         };
         waves.iter().enumerate().skip(1).map(wave).collect()
     }
-}
-
-/// Transforms rows, then columns, and transposes: row i, column j becomes row j, column i.
-fn transform(
-    map: &mut Vec<Complex64>,
-    [rows, columns]: [usize; 2],
-    of: fn(usize) -> Arc<dyn Fft<f64>>,
-) {
-    of(columns).process(map);
-    let turned = (0..columns).flat_map(|j| (0..rows).map(move |i| i * columns + j));
-    *map = turned.map(|at| map[at]).collect();
-    of(rows).process(map);
 }
 
 #[cfg(test)]

@@ -10,8 +10,8 @@
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
-use crate::half_space::{Compliance, Filter, HalfSpace};
-use crate::parallel::{inside, sum};
+use crate::half_space::HalfSpace;
+use crate::parallel::sum;
 use crate::{BemError, BoundaryElements, LoadCase, Progress, Solution};
 
 /// Relative difference of shifts that are the same.
@@ -147,7 +147,7 @@ impl ContactSlip {
         progress: impl FnMut(&Progress) -> ControlFlow<()>,
     ) -> Result<(), BemError> {
         let separation = self.closest.separation + self.retreat_per_shift * shift;
-        if shift > 0.0 && separation < self.elements.map().highest() {
+        if shift > 0.0 && separation < self.elements.map.highest() {
             let given = [LoadCase::Separation(separation)];
             let found = self.elements.solve_all(&given, progress).remove(0)?;
             self.keep(shift, normal(&self.elements, &found));
@@ -169,7 +169,7 @@ impl ContactSlip {
             return Ok(self.closest);
         }
         let separation = self.closest.separation + self.retreat_per_shift * shift;
-        if separation >= self.elements.map().highest() {
+        if separation >= self.elements.map.highest() {
             return Ok(Normal { separation, ..Normal::default() });
         }
         let found = || {
@@ -186,10 +186,9 @@ impl ContactSlip {
 
 /// The numbers of a solution that slip needs.
 fn normal(elements: &BoundaryElements, solution: &Solution) -> Normal {
-    let mut space =
-        HalfSpace::new(elements.map(), elements.modulus(), elements.boundary_condition());
-    let mut deflections = solution.pressures.clone();
-    inside(|| space.apply(Filter::Deflect, &mut deflections));
+    let mut space = HalfSpace::new(&elements.map, elements.modulus, elements.boundary_condition());
+    let mut deflections = vec![0.0; solution.pressures.len()];
+    space.deflect(&solution.pressures, &mut deflections);
     let [work] = sum([&deflections, &solution.pressures], |[u, p]| [p * u]);
     let pixels = deflections.len() as f64;
     Normal {

@@ -37,8 +37,8 @@ pub struct Progress {
 /// their number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoundaryElements {
-    map: HeightMap,
-    modulus: f64,
+    pub(crate) map: HeightMap,
+    pub(crate) modulus: f64,
     /// Periodic, if not declared.
     boundary: Option<Boundary>,
     hardness: Option<f64>,
@@ -101,10 +101,6 @@ impl BoundaryElements {
         self
     }
 
-    pub(crate) fn with_map(&self, map: HeightMap) -> Self {
-        Self { map, ..self.clone() }
-    }
-
     /// The hardness \[Pa\]; `None` if the contact is elastic.
     #[must_use]
     pub fn limit(&self) -> Option<f64> {
@@ -125,14 +121,6 @@ impl BoundaryElements {
 
     pub(crate) fn goal(&self, scale: f64) -> Goal {
         Goal { scale, tolerance: self.tolerance, most_iterations: self.most_iterations }
-    }
-
-    pub(crate) fn map(&self) -> &HeightMap {
-        &self.map
-    }
-
-    pub(crate) fn modulus(&self) -> f64 {
-        self.modulus
     }
 
     pub(crate) fn boundary_condition(&self) -> Boundary {
@@ -212,8 +200,7 @@ pub(crate) struct Run<'a> {
 
 impl<'a> Run<'a> {
     pub(crate) fn new(setup: &'a BoundaryElements) -> Self {
-        let mut space =
-            HalfSpace::new(&setup.map, setup.modulus, setup.boundary.unwrap_or_default());
+        let mut space = HalfSpace::new(&setup.map, setup.modulus, setup.boundary_condition());
         let resolution = note::of_map(&setup.map, setup.boundary, &mut space);
         Self { setup, space, rms_height: setup.map.rms_height(), resolution, last: None }
     }
@@ -246,15 +233,8 @@ impl<'a> Run<'a> {
                 Err(BemError::OutOfRange { field: "separation", found, required })
             }
         }?;
-        let BoundaryElements { map, boundary, .. } = self.setup;
-        Ok(Solution::new(
-            given,
-            map,
-            boundary.unwrap_or_default(),
-            self.setup.cap(),
-            fields,
-            self.resolution.clone(),
-        ))
+        let of = (&self.setup.map, self.setup.boundary_condition(), self.setup.cap());
+        Ok(Solution::new(given, of, fields, self.resolution.clone()))
     }
 
     /// Contact at a mean pressure.

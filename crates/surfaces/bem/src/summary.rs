@@ -75,21 +75,13 @@ fn hydraulic<'m>(
 ) -> Vec<(Quantity, Result<f64, BemError>)> {
     let wanted: Vec<Quantity> = quantities.iter().copied().filter(|q| q.is_of_map()).collect();
     let Some(map) = (!wanted.is_empty()).then(gap_map) else { return vec![] };
-    let of = |map: &GapMap<'_>, quantity| match direction(quantity) {
-        Some(direction) => map.hydraulic_gap(direction),
-        None => Ok(map.effective_medium()),
+    let of = |map: &GapMap<'_>, quantity| match quantity {
+        Quantity::HydraulicGapX => map.hydraulic_gap(Direction::X),
+        Quantity::HydraulicGapY => map.hydraulic_gap(Direction::Y),
+        _ => Ok(map.effective_medium()),
     };
     let of = |quantity| map.as_ref().map_err(Clone::clone).and_then(|map| of(map, quantity));
     wanted.into_iter().map(|quantity| (quantity, of(quantity))).collect()
-}
-
-/// The direction of a hydraulic gap.
-fn direction(quantity: Quantity) -> Option<Direction> {
-    match quantity {
-        Quantity::HydraulicGapX => Some(Direction::X),
-        Quantity::HydraulicGapY => Some(Direction::Y),
-        _ => None,
-    }
 }
 
 /// Whether this is the slope of first loading: the stiffness of a model is its tangent where no

@@ -50,7 +50,7 @@ impl UnloadingPath {
     /// The retreat at which the last pixel parts \[m\].
     #[must_use]
     pub fn last_contact(&self) -> f64 {
-        (self.flattened.map().highest() - self.separation).max(0.0)
+        (self.flattened.map.highest() - self.separation).max(0.0)
     }
 
     /// The contacts after retreats \[m\] from the greatest load, in their order: pressures, areas

@@ -56,6 +56,19 @@ pub fn real_inverse(n: usize) -> Arc<dyn ComplexToReal<f64>> {
     realfft::RealFftPlanner::new().plan_fft_inverse(n)
 }
 
+/// Transforms the rows of a map, then its columns, by [`forward`] or [`inverse`], and transposes
+/// it: row i, column j becomes row j, column i.
+pub fn transform(
+    map: &mut Vec<Complex64>,
+    [rows, columns]: [usize; 2],
+    direction: fn(usize) -> Arc<dyn Fft<f64>>,
+) {
+    direction(columns).process(map);
+    let turned = (0..columns).flat_map(|j| (0..rows).map(move |i| i * columns + j));
+    *map = turned.map(|at| map[at]).collect();
+    direction(rows).process(map);
+}
+
 #[cfg(test)]
 mod tests {
     use super::fast_length;

@@ -1,10 +1,9 @@
 //! The autocorrelation of the heights: Sal and Str of ISO 25178-2.
 
-use asperity_fft::Complex64;
+use asperity_fft::{Complex64, forward, inverse, transform};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::Topography;
-use crate::spectrum::{forward, inverse};
 use crate::topography::extremes;
 
 /// The value of the autocorrelation to which lengths are measured, as ISO 25178-3 sets it.
@@ -129,13 +128,13 @@ impl Lags {
         if sq <= 0.0 {
             return None;
         }
-        let mut map = vec![Complex64::ZERO; shape[0] * shape[1]];
+        let mut waves = vec![Complex64::ZERO; shape[0] * shape[1]];
         // Heights are the real part, and whether they are there the imaginary one, of one size.
-        for (row, line) in surface.heights().chunks(columns).zip(map.chunks_mut(shape[1])) {
+        for (row, line) in surface.heights().chunks(columns).zip(waves.chunks_mut(shape[1])) {
             let there = row.iter().zip(line).filter(|(height, _)| !height.is_nan());
             there.for_each(|(height, point)| *point = Complex64::new((height - mean) / sq, 1.0));
         }
-        let mut waves = forward(map, shape);
+        transform(&mut waves, shape, forward);
         let opposite = |at: usize| {
             let (j, i) = (at / shape[0], at % shape[0]);
             (shape[1] - j) % shape[1] * shape[0] + (shape[0] - i) % shape[0]
@@ -150,7 +149,8 @@ impl Lags {
             let square = Complex64::new(heights.norm_sqr(), there.norm_sqr());
             (waves[at], waves[other]) = (square, square);
         }
-        let sums = inverse(waves, shape);
+        transform(&mut waves, [shape[1], shape[0]], inverse);
+        let sums = waves;
         // Counts of pairs are whole numbers times the number of points transformed.
         let one = shape[0] as f64 * shape[1] as f64;
         let mean = |sum: &Complex64| if sum.im > 0.5 * one { sum.re / sum.im } else { 0.0 };

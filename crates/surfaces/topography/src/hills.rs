@@ -8,6 +8,9 @@ use crate::{Topography, TopographyError};
 const PRUNED: f64 = 0.05;
 /// No point.
 const NONE: u32 = u32::MAX;
+/// The neighbours of a point.
+const AROUND: [(isize, isize); 8] =
+    [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)];
 
 /// The peaks of the significant hills of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,13 +48,7 @@ impl Topography {
         let mean = curvatures.iter().sum::<f64>() / curvatures.len() as f64;
         Ok(Peaks { spd, spc: (!curvatures.is_empty()).then_some(mean) })
     }
-}
 
-/// The neighbours of a point.
-const AROUND: [(isize, isize); 8] =
-    [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)];
-
-impl Topography {
     /// The point at a distance, around the edges of a periodic surface.
     pub(crate) fn beside(&self, at: usize, down: isize, along: isize) -> Option<usize> {
         let (rows, columns) = (self.rows(), self.columns());

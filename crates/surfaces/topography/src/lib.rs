@@ -30,7 +30,7 @@ pub use error::TopographyError;
 pub use glance::{Glance, Reported, report};
 pub use hills::Peaks;
 pub use level::Level;
-pub use material_ratio::{Functional, MaterialRatio};
+pub use material_ratio::MaterialRatio;
 pub use moments::{Moments, Texture};
 pub use outliers::Outliers;
 pub use pair::Alignment;

@@ -24,31 +24,6 @@ pub struct MaterialRatio {
 /// Points of the curve in its csv, less one.
 const DRAWN: usize = 400;
 
-/// Functional parameters, of a profile `Rk`, `Rpk` and so on. Heights are in m, volumes in m³/m².
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct Functional {
-    /// Sk: height of the core, by the line fitted to the secant of least slope over 40 % of the
-    /// curve.
-    pub sk: f64,
-    /// Spk: reduced height of the peaks above the core.
-    pub spk: f64,
-    /// Svk: reduced depth of the dales below the core.
-    pub svk: f64,
-    /// Smr1: material ratio at the top of the core, from 0 to 1.
-    pub smr1: f64,
-    /// Smr2: material ratio at the bottom of the core, from 0 to 1.
-    pub smr2: f64,
-    /// Vmp: volume of material above the height of a material ratio of 10 %.
-    pub vmp: f64,
-    /// Vmc: volume of material between the heights of 10 and 80 %.
-    pub vmc: f64,
-    /// Vvc: volume of voids between the heights of 10 and 80 %.
-    pub vvc: f64,
-    /// Vvv: volume of voids below the height of 80 %.
-    pub vvv: f64,
-}
-
 impl Topography {
     /// The material ratio curve of the measured points, about their mean.
     ///
@@ -143,9 +118,13 @@ impl MaterialRatio {
         "curve,material_ratio,height_m\n".to_owned() + &rows.map(row).collect::<String>()
     }
 
-    /// The functional parameters.
+    /// Sk \[m\], the height of the core by the line fitted to the secant of least slope over 40 %
+    /// of the curve; Spk and Svk \[m\], reduced heights of the peaks above and the dales below it;
+    /// Smr1 and Smr2, material ratios from 0 to 1 at its top and bottom; Vmp, Vmc, Vvc and Vvv
+    /// \[m³/m²\], the material above the height of 10 % and between those of 10 and 80 %, the
+    /// voids there and below 80 %.
     #[must_use]
-    pub fn functional(&self) -> Functional {
+    pub fn functional(&self) -> [f64; 9] {
         let (_, [top, bottom]) = self.core();
         // A core that is a plateau belongs to neither peaks nor dales, however its heights round.
         let rounding = 1e-10 * (self.heights[0] - self.heights[self.heights.len() - 1]);
@@ -155,17 +134,9 @@ impl MaterialRatio {
         let triangle =
             |area: f64, base: f64| 2.0 * area / base.max(1.0 / self.heights.len() as f64);
         let [[vmp, above], [material, vvv]] = VOLUMES.map(|share| self.volumes(self.height(share)));
-        Functional {
-            sk: top - bottom,
-            spk: triangle(self.volumes(top)[0], smr1),
-            svk: triangle(self.volumes(bottom)[1], 1.0 - smr2),
-            smr1,
-            smr2,
-            vmp,
-            vmc: material - vmp,
-            vvc: above - vvv,
-            vvv,
-        }
+        let [spk, svk] = [self.volumes(top)[0], self.volumes(bottom)[1]];
+        let [spk, svk] = [triangle(spk, smr1), triangle(svk, 1.0 - smr2)];
+        [top - bottom, spk, svk, smr1, smr2, vmp, material - vmp, above - vvv, vvv]
     }
 }
 
@@ -189,9 +160,7 @@ impl Topography {
     /// # Errors
     /// [`TopographyError::Flat`] when all heights are equal.
     pub fn functional(&self) -> Result<Vec<Reported>, TopographyError> {
-        let Functional { sk, spk, svk, smr1, smr2, vmp, vmc, vvc, vvv } =
-            self.material_ratio()?.functional();
-        let values = [sk, spk, svk, smr1, smr2, vmp, vmc, vvc, vvv];
+        let values = self.material_ratio()?.functional();
         let profile = usize::from(self.is_profile());
         let row =
             |(row, value): ([&'static str; 4], f64)| (row[profile], Some(value), row[2], row[3]);
@@ -225,14 +194,14 @@ mod tests {
         for count in [30, 1000, 4096, 99_991] {
             let low = count * 3 / 10;
             let two = (0..count).map(|k| if k < low { -1.0 } else { 0.0 });
-            let found = curve(two.collect()).functional();
+            let [_, _, svk, _, smr2, ..] = curve(two.collect()).functional();
             let share = (count - low) as f64 / count as f64;
-            assert!((found.smr2 - share).abs() < 2.0 / count as f64, "{count} {}", found.smr2);
-            assert!((found.svk - 2.0).abs() < 0.2, "{count} {}", found.svk);
+            assert!((smr2 - share).abs() < 2.0 / count as f64, "{count} {smr2}");
+            assert!((svk - 2.0).abs() < 0.2, "{count} {svk}");
             for sign in [1.0, -1.0] {
                 let one = (0..count).map(|k| if k == 7 { sign } else { 0.0 });
-                let found = curve(one.collect()).functional();
-                let size = if sign > 0.0 { found.spk } else { found.svk };
+                let [_, spk, svk, ..] = curve(one.collect()).functional();
+                let size = if sign > 0.0 { spk } else { svk };
                 assert!((size - 2.0).abs() < 0.2, "{count} {size}");
             }
         }
@@ -241,7 +210,7 @@ mod tests {
     #[test]
     fn a_straight_curve_is_all_core() {
         let found = curve((0..1001).map(|k| f64::from((k * 5) % 1001) * 1e-9).collect());
-        let Functional { sk, spk, svk, smr1, smr2, vmp, vmc, vvc, vvv } = found.functional();
+        let [sk, spk, svk, smr1, smr2, vmp, vmc, vvc, vvv] = found.functional();
         let close = |found: f64, right: f64| {
             assert!((found - right).abs() < 1e-12 * (1.0 + right), "{found} {right}");
         };
@@ -263,9 +232,9 @@ mod tests {
             0 => -4e-6 * f64::from(k) / 1000.0,
             _ => 1e-7 * f64::from(k) / 1000.0,
         };
-        let found = curve((0..1000).map(height).collect()).functional();
-        assert!((found.sk / 1.1e-7 - 1.0).abs() < 0.02, "{found:?}");
-        assert!(found.svk > 30.0 * found.spk && (found.smr2 - 0.9).abs() < 0.02, "{found:?}");
+        let [sk, spk, svk, _, smr2, ..] = curve((0..1000).map(height).collect()).functional();
+        assert!((sk / 1.1e-7 - 1.0).abs() < 0.02, "{sk}");
+        assert!(svk > 30.0 * spk && (smr2 - 0.9).abs() < 0.02, "{spk} {svk} {smr2}");
     }
 
     #[test]
@@ -274,7 +243,7 @@ mod tests {
         let of = |n: u32| {
             let share = |k: u32| (f64::from(k) + 0.5) / f64::from(n);
             let found = curve((0..n).map(|k| (share(k) / (1.0 - share(k))).ln()).collect());
-            let Functional { sk, spk, svk, vmp, vvv, .. } = found.functional();
+            let [sk, spk, svk, _, _, vmp, .., vvv] = found.functional();
             [sk, spk, svk, vmp, vvv]
         };
         let (few, many) = (of(1024), of(1 << 18));

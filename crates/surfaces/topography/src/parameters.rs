@@ -3,6 +3,13 @@
 use crate::topography::extremes;
 use crate::{Topography, TopographyError};
 
+/// Sections of a profile over which Rz is averaged.
+const SECTIONS: usize = 5;
+/// The least height of a hill above the mean line, and depth of a dale below it, over Rz.
+const LEAST_HEIGHT: f64 = 0.1;
+/// The least width of a hill or dale, over the length of a section.
+const LEAST_WIDTH: f64 = 0.01;
+
 /// Height and hybrid parameters of ISO 25178-2, of heights about their mean.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -78,16 +85,7 @@ impl Topography {
         };
         found.map(|[mean]| mean)
     }
-}
 
-/// Sections of a profile over which Rz is averaged.
-const SECTIONS: usize = 5;
-/// The least height of a hill above the mean line, and depth of a dale below it, over Rz.
-const LEAST_HEIGHT: f64 = 0.1;
-/// The least width of a hill or dale, over the length of a section.
-const LEAST_WIDTH: f64 = 0.01;
-
-impl Topography {
     /// Rz \[m\], the mean over five sections of the height from the lowest to the highest point,
     /// and RSm \[m\], the mean width of the elements, each a hill and a dale \[recalled: from
     /// general knowledge of the standard\]. Hills and dales below 10 % of Rz or 1 % of a section

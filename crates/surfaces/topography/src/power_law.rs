@@ -56,7 +56,9 @@ impl PowerLaw {
         };
         let best = |from: std::ops::Range<usize>, to: std::ops::RangeInclusive<usize>| {
             let pairs = from.flat_map(|a| to.clone().map(move |b| (a, b)));
-            let fits = pairs.filter_map(|(a, b)| try_fit(a, b)).filter(PowerLawFit::is_self_affine);
+            let fits = pairs
+                .filter_map(|(a, b)| try_fit(a, b))
+                .filter(|fit| (0.0..=1.0).contains(&fit.hurst()));
             fits.min_by(|one, other| one.squares.total_cmp(&other.squares))
         };
         let mut found = best(0..1, last..=last);
@@ -122,10 +124,6 @@ struct PowerLawFit {
 impl PowerLawFit {
     fn hurst(&self) -> f64 {
         -0.5 * self.slope - 1.0
-    }
-
-    fn is_self_affine(&self) -> bool {
-        (0.0..=1.0).contains(&self.hurst())
     }
 
     fn new(x: &[f64], y: &[f64], from: usize, to: usize) -> Option<Self> {

@@ -72,9 +72,7 @@ impl Topography {
         };
         (slopes, curvatures.map(|[mean]| mean))
     }
-}
 
-impl Topography {
     /// Root mean square slopes (z(x + d) - z(x))/d over distances d of 1, 2, 4, ... pixels, up to a
     /// quarter of the longer side, each along rows and columns, and curvatures
     /// (z(x + d) - 2 z(x) + z(x - d))/d² \[1/m\]; `None` beyond the scan. Differences with a

@@ -104,8 +104,9 @@ impl Topography {
         let point = |(k, h): (usize, &f64)| {
             Complex64::from(along[k % columns] * down[k / columns] * (h - mean))
         };
-        let points = heights.iter().enumerate().map(point).collect();
-        let waves = forward(points, [rows, columns]);
+        // Wave (i, j), i down a column and j along a row, stands at `j * rows + i`.
+        let mut waves: Vec<_> = heights.iter().enumerate().map(point).collect();
+        asperity_fft::transform(&mut waves, [rows, columns], asperity_fft::forward);
         let [width, height] = [columns as f64 * dx, rows as f64 * dy];
         let each = || {
             waves.iter().enumerate().skip(1).map(|(at, wave)| {
@@ -180,28 +181,6 @@ fn median(waves: impl Iterator<Item = (f64, f64)>, length: f64) -> f64 {
         sum += power;
     }
     length
-}
-
-/// The transform of a map of rows, column by column: wave (i, j), i down a column and j along a
-/// row, stands at `j * rows + i`. Not scaled.
-pub(crate) fn forward(values: Vec<Complex64>, [rows, columns]: [usize; 2]) -> Vec<Complex64> {
-    both(values, [rows, columns], asperity_fft::forward)
-}
-
-/// The map of rows of waves from [`forward`], rows * columns times too large.
-pub(crate) fn inverse(waves: Vec<Complex64>, [rows, columns]: [usize; 2]) -> Vec<Complex64> {
-    both(waves, [columns, rows], asperity_fft::inverse)
-}
-
-fn both(
-    mut values: Vec<Complex64>,
-    [rows, columns]: [usize; 2],
-    plan: fn(usize) -> std::sync::Arc<dyn asperity_fft::Fft<f64>>,
-) -> Vec<Complex64> {
-    plan(columns).process(&mut values);
-    let mut turned = transposed(&values, columns);
-    plan(rows).process(&mut turned);
-    turned
 }
 
 /// The wave number of wave k of n, with its sign, in waves on the whole length.

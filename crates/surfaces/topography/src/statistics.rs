@@ -224,9 +224,7 @@ impl Statistics {
         }
         Ok(combined)
     }
-}
 
-impl Statistics {
     /// An unusual rms slope of a scan with this pixel size \[m\], most often by a wrong unit.
     #[must_use]
     pub fn unusual_slope(&self, pixel_size: f64) -> Option<Finding> {

@@ -44,7 +44,7 @@ pub use hertz::Hertz;
 pub use model::BetweenCurved;
 pub use solution::Solution;
 
-use kernel::{Deflection, quick};
+use kernel::quick;
 use layer::Layer;
 use solve::State;
 
@@ -247,8 +247,8 @@ impl Curved {
         let within = |k| 1.0 - square(k, axes.map(|axis| axis * axis));
         let pressures: Vec<f64> = points.map(|k| peak * within(k).max(0.0).sqrt()).collect();
         let kernel = match is_line {
-            true => Deflection::of_line(n, grid.steps[0], modulus, grid.reference()),
-            false => Deflection::of_area(n, grid.steps, modulus),
+            true => kernel::of_line(n, grid.steps[0], modulus, grid.reference()),
+            false => kernel::of_area(n, grid.steps, modulus),
         };
         let mut state = State::new(&self.layer, kernel, grid, shape, &pressures, load)?;
         state.solve(&self.layer, load, tolerance)?;

@@ -47,8 +47,11 @@ const NEEDS_LENGTH: &str = "set reference_length, on which it depends";
 pub struct BetweenCurved {
     model: Arc<dyn ContactModel>,
     shape: Shape,
-    id: Option<&'static str>,
-    strength: Option<f64>,
+    /// Another id.
+    pub id: Option<&'static str>,
+    /// The strength \[Pa\] at which the weaker body yields before it hardens, if it is known;
+    /// asperities yield by the numbers of the interface.
+    pub strength: Option<f64>,
 }
 
 impl BetweenCurved {
@@ -56,19 +59,6 @@ impl BetweenCurved {
     #[must_use]
     pub fn new(model: impl ContactModel + 'static, shape: Shape) -> Self {
         Self { model: Arc::new(model), shape, id: None, strength: None }
-    }
-
-    /// The same of bodies whose weaker one yields at this strength \[Pa\] before it hardens, if it
-    /// is known; asperities yield by the numbers of the interface.
-    #[must_use]
-    pub fn yielding_at(self, strength: Option<f64>) -> Self {
-        Self { strength, ..self }
-    }
-
-    /// The same under another id.
-    #[must_use]
-    pub fn under(self, id: &'static str) -> Self {
-        Self { id: Some(id), ..self }
     }
 }
 

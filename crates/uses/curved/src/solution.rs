@@ -17,13 +17,6 @@ pub struct Solution<'c> {
     pub hertz: Hertz,
 }
 
-impl std::fmt::Debug for Solution<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { hertz, load, .. } = self;
-        f.debug_struct("Solution").field("load", load).field("hertz", hertz).finish_non_exhaustive()
-    }
-}
-
 impl Solution<'_> {
     /// The steps of Newton's method.
     #[must_use]

@@ -1,8 +1,8 @@
 //! Newton's method for the separations, with conjugate gradients.
 
+use asperity_bem::HalfSpace;
 use asperity_core::{ContactError, Quantity};
 
-use crate::kernel::Deflection;
 use crate::layer::Layer;
 use crate::{Grid, refused};
 
@@ -28,7 +28,7 @@ pub(crate) struct State {
     /// -dp/dd \[Pa/m\].
     pub(crate) slopes: Vec<f64>,
     deflections: Vec<f64>,
-    kernel: Deflection,
+    kernel: HalfSpace,
     /// Of Newton's method.
     pub(crate) steps: usize,
 }
@@ -42,7 +42,7 @@ impl State {
     /// length.
     pub(crate) fn new(
         layer: &Layer,
-        mut kernel: Deflection,
+        mut kernel: HalfSpace,
         grid: Grid,
         shape: Vec<f64>,
         pressures: &[f64],
@@ -50,7 +50,7 @@ impl State {
     ) -> Result<Self, ContactError> {
         let n = shape.len();
         let mut deflections = vec![0.0; n];
-        kernel.product(pressures, &mut deflections);
+        kernel.deflect(pressures, &mut deflections);
         let (separations, slopes) = (vec![0.0; n], vec![0.0; n]);
         let mut state = Self {
             shape,
@@ -118,7 +118,7 @@ impl State {
 
     /// d - d₀ - shape - M p.
     fn residual(&mut self) -> Vec<f64> {
-        self.kernel.product(&self.pressures, &mut self.deflections);
+        self.kernel.deflect(&self.pressures, &mut self.deflections);
         let rest = self.shape.iter().zip(&self.deflections).map(|(a, b)| a + b + self.offset);
         self.separations.iter().zip(rest).map(|(d, rest)| d - rest).collect()
     }
@@ -202,7 +202,7 @@ impl State {
         let (mut deflected, mut product, mut scaled) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
         if let Some(total) = total {
             let first: Vec<f64> = self.slopes.iter().map(|slope| slope * total / sum).collect();
-            self.kernel.product(&first, &mut deflected);
+            self.kernel.deflect(&first, &mut deflected);
         }
         let rest = right.iter().zip(&deflected).zip(&root);
         let mut rest: Vec<f64> = rest.map(|((right, own), root)| root * (right - own)).collect();
@@ -217,7 +217,7 @@ impl State {
             for (k, scaled) in scaled.iter_mut().enumerate() {
                 *scaled = root[k] * direction[k];
             }
-            self.kernel.product(&scaled, &mut product);
+            self.kernel.deflect(&scaled, &mut product);
             let along = square / (dot(&direction, &direction) + dot(&scaled, &product));
             for (k, rest) in rest.iter_mut().enumerate() {
                 *rest -= along * (direction[k] + root[k] * product[k]);

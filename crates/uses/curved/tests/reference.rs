@@ -281,7 +281,7 @@ fn what_cannot_be_is_refused() {
     let row = &rows()[0];
     let curved = curved(row, 1e-6);
     for load in [0.0, -1.0, f64::NAN] {
-        let refused = curved.at_load(load).unwrap_err();
+        let refused = curved.at_load(load).err().unwrap();
         assert!(matches!(refused, ContactError::OutOfRange { field: "load", .. }), "{refused}");
     }
     // Smooth bodies would take a grid without end.

@@ -23,7 +23,7 @@ use crate::{DataColumn, FitError};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Data {
     observations: Vec<Observation>,
-    from: Datum,
+    pub(crate) from: Datum,
     /// The lines of the rows in their file.
     lines: Vec<usize>,
     /// Rows with a load and a pressure.
@@ -168,12 +168,6 @@ impl Data {
                 found.push(Observation { row: k + 1, value: 1.0, std: None, ..one.placed_at(x) });
             }
         }
-        let (lines, both_loads) = (self.lines.clone(), vec![]);
-        Self { observations: found, from: self.from, lines, both_loads, ..self.clone() }
-    }
-
-    /// The plane of the separations.
-    pub(crate) fn datum(&self) -> Datum {
-        self.from
+        Self { observations: found, both_loads: vec![], ..self.clone() }
     }
 }

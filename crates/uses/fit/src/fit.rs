@@ -8,7 +8,7 @@ use nalgebra::DVector;
 
 use crate::columns::plural;
 use crate::forward::Forward;
-use crate::problem::{Counted, MakeScene, Minimum, Problem, squares};
+use crate::problem::{MakeScene, Minimum, Problem, squares};
 use crate::search::{PATIENCE, search};
 use crate::solution::Solution;
 use crate::spread::Spread;
@@ -106,16 +106,11 @@ impl<'f> Fit<'f> {
     ) -> Result<Fitted, FitError> {
         let state = Progress { model: model.id().into(), ..Progress::default() };
         let counted = RefCell::new((progress, state));
-        let count = |what: Counted| {
+        let count = |[starts, evaluations]: [usize; 2]| {
             let (progress, state) = &mut *counted.borrow_mut();
-            match what {
-                Counted::Start => state.starts += 1,
-                Counted::Evaluation => {
-                    state.evaluations += 1;
-                    return progress(state);
-                }
-            }
-            ControlFlow::Continue(())
+            state.starts += starts;
+            state.evaluations += evaluations;
+            if evaluations > 0 { progress(state) } else { ControlFlow::Continue(()) }
         };
         let (data, parameters, scene) = (self.data, &self.parameters[..], self.scene);
         let forward = Forward::new(model, data)

@@ -85,3 +85,19 @@ pub struct Residual {
     /// Difference of logarithms, or over the standard deviation if that is given.
     pub residual: f64,
 }
+
+/// Orders models by BIC, lowest first, or by rms where one of them has no BIC. Behind these come
+/// models that did not converge, and then those whose law does not hold where data were measured.
+#[must_use]
+pub fn rank(mut models: Vec<Fitted>) -> Vec<Fitted> {
+    let has_bic = models.iter().all(|fitted| fitted.bic.is_some());
+    let key = |fitted: &Fitted| {
+        let misfit = if has_bic { fitted.bic } else { fitted.rms };
+        ((fitted.invalid().is_some(), !fitted.converged), misfit.unwrap_or(f64::INFINITY))
+    };
+    models.sort_by(|a, b| {
+        let ((a, one), (b, other)) = (key(a), key(b));
+        a.cmp(&b).then(one.total_cmp(&other))
+    });
+    models
+}

@@ -14,6 +14,10 @@ const TOLERANCE: f64 = 1e-13;
 /// The same for a model without laws of one asperity, which may compile tables for each scene.
 const COMPILED: f64 = 1e-7;
 
+/// The stiffnesses that a compliance in series reduces.
+pub(crate) const STIFFNESSES: [Quantity; 3] =
+    [Quantity::Stiffness, Quantity::Tangent, Quantity::UnloadingStiffness];
+
 /// What a test rig adds: a reading of a separation d under a load F is
 /// d + `separation_offset` - `series_compliance` F, and a stiffness K reads
 /// 1/(1/K + `series_compliance`).
@@ -28,11 +32,9 @@ pub struct Rig {
 impl Rig {
     /// What is read of a quantity.
     fn reading(&self, quantity: Quantity, value: f64) -> f64 {
-        match quantity {
-            Quantity::Stiffness | Quantity::Tangent | Quantity::UnloadingStiffness => {
-                1.0 / (1.0 / value + self.series_compliance)
-            }
-            _ => value,
+        match STIFFNESSES.contains(&quantity) {
+            true => 1.0 / (1.0 / value + self.series_compliance),
+            false => value,
         }
     }
 }
@@ -247,7 +249,7 @@ impl<'f> Forward<'f> {
 
     /// The reading of the separation under a load.
     fn separation(&self, on: &OnScene<'_, '_>, rig: Rig, at: At) -> Predicted {
-        let (unit, from) = (SeparationUnit::Metres, self.data.datum());
+        let (unit, from) = (SeparationUnit::Metres, self.data.from);
         let scene = self.model.scene_of(on.scene)?;
         let separation = on.separation(at)?.measured_in(unit, from, &scene)?;
         let load = at.load(on.scene).unwrap_or(0.0);

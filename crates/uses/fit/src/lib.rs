@@ -2,7 +2,6 @@
 
 mod columns;
 mod data;
-mod doubts;
 mod error;
 mod fit;
 mod fitted;
@@ -11,8 +10,6 @@ mod names;
 mod observation;
 mod parameter;
 mod problem;
-mod ranking;
-mod rig;
 mod search;
 mod solution;
 mod spread;
@@ -21,9 +18,8 @@ pub use columns::is_column;
 pub use data::Data;
 pub use error::FitError;
 pub use fit::{Fit, Progress};
-pub use fitted::{Estimate, Fitted, Residual};
+pub use fitted::{Estimate, Fitted, Residual, rank};
 pub use forward::{Rig, places, predict};
 pub use observation::{DataColumn, Measured, MeasuredTable, Observation, Position};
 pub use parameter::{Parameter, Role, USUAL_FACTOR};
 pub use problem::MakeScene;
-pub use ranking::rank;

@@ -185,14 +185,9 @@ fn named(name: &str, known: &[Known]) -> Option<Named> {
 fn two_units(name: &str, known: &[Known]) -> Option<(String, String)> {
     readings(name).into_iter().find_map(|(before, unit)| {
         let (_, first) = readings(before).into_iter().find(|(_, first)| is_unit(first))?;
-        let si = &known
-            .iter()
-            .find(|of| {
-                of.column == before
-                    || named(before, known).is_some_and(|found| found.column == of.column)
-            })?
-            .si;
-        size(&unit, si).map(|_| (first, unit))
+        let column = named(before, known).map_or(before.to_string(), |found| found.column);
+        let of = known.iter().find(|of| of.column == column)?;
+        size(&unit, &of.si).map(|_| (first, unit))
     })
 }
 

@@ -35,14 +35,8 @@ pub(crate) struct Problem<'f> {
     pub(crate) data: &'f Data,
     pub(crate) parameters: &'f [Parameter],
     pub(crate) scene: &'f MakeScene<'f>,
-    /// Counts for the caller of a long fit, who may end it.
-    pub(crate) count: &'f (dyn Fn(Counted) -> ControlFlow<()> + 'f),
-}
-
-/// What a search counts.
-pub(crate) enum Counted {
-    Start,
-    Evaluation,
+    /// Counts starts and evaluations for the caller of a long fit, who may end it.
+    pub(crate) count: &'f (dyn Fn([usize; 2]) -> ControlFlow<()> + 'f),
 }
 
 /// A minimum of the residuals.
@@ -111,7 +105,7 @@ impl Problem<'_> {
 
     /// The residuals: differences of logarithms, or differences over the standard deviations.
     pub(crate) fn residuals(&self, coordinates: &[f64]) -> Result<Vec<f64>, FitError> {
-        if (self.count)(Counted::Evaluation).is_break() {
+        if (self.count)([0, 1]).is_break() {
             return Err(FitError::Interrupted);
         }
         let made = self.at(coordinates);

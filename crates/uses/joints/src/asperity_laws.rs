@@ -7,7 +7,6 @@ use asperity_core::{
 };
 
 use crate::contact_range::recovery_extrema;
-use crate::remaining::RemainingFraction;
 use crate::tabulated_law::tabulated;
 use crate::unloading_law::UnloadingLaw;
 
@@ -28,6 +27,13 @@ pub(crate) enum UnloadingQuantity {
     Contacts,
     /// The work returned, ∫₀ᵘ force du \[J\]; u may be infinite.
     Returned,
+}
+
+impl UnloadingQuantity {
+    /// Whether asperities that have lost contact count, and nothing is there without a retreat.
+    pub(crate) fn sums_up(self) -> bool {
+        matches!(self, Self::Released | Self::Loss | Self::Returned)
+    }
 }
 
 /// The loading laws of one asperity with its unloading law.
@@ -90,7 +96,7 @@ impl AsperityLaws {
         if yields {
             let mut found = vec![];
             for pair in loading.breaks().windows(2) {
-                let of = |source| loading.refused(model.id(), pair[0], &source);
+                let of = |source| refused(model.id(), "interference", pair[0], &source);
                 found.extend(
                     recovery_extrema(&|w| loading.recovered(w), [pair[0], pair[1]]).map_err(of)?,
                 );
@@ -190,20 +196,6 @@ impl AsperityLaws {
             .all(|share| is_hertz(share * end).is_ok_and(|ratios| ratios.into_iter().all(same)));
         if hertz { end } else { 0.0 }
     }
-
-    /// The error for one asperity at interference w \[m\].
-    pub(crate) fn refused(&self, model: &str, w: f64, source: &QuadratureError) -> ContactError {
-        refused(model, "interference", w, source)
-    }
-
-    /// The remaining fraction between two interferences, the lower of which has δ = u.
-    pub(crate) fn left_from(
-        &self,
-        ends: [f64; 2],
-        u: f64,
-    ) -> Result<Option<RemainingFraction>, QuadratureError> {
-        RemainingFraction::new(ends, u, |w| self.recovered(w))
-    }
 }
 
 /// 8 ∫₀ʸ (1 - (1-t)ⁿ) dt - 4 y (1 - (1-y)ⁿ), with t and y limited to 1 in the powers.
@@ -241,7 +233,7 @@ pub fn restitution(
 ) -> Result<f64, ContactError> {
     let w = positive("interference", interference)?;
     let loading = AsperityLaws::new(model, *asperity, law, tolerance)?;
-    let failed = |source: QuadratureError| loading.refused(model.id(), w, &source);
+    let failed = |source: QuadratureError| refused(model.id(), "interference", w, &source);
     let [spent, returned] = loading.works(w, tolerance.relative()).map_err(failed)?;
     if spent < f64::MIN_POSITIVE {
         let required = "an interference with a work of loading of at least 2.2e-308 J";
@@ -261,9 +253,6 @@ pub(crate) fn refused(
     let reason = format!("one asperity at {place} {length:e} m: {source}");
     ContactError::Refused { model: model.into(), reason }
 }
-
-/// Largest number of samples of one integral.
-pub(crate) const MAX_SAMPLES: usize = 100_000;
 
 #[cfg(test)]
 mod tests {

@@ -33,18 +33,13 @@ pub(crate) fn recovery_extrema(
         }
         let up = here.1 > before.1;
         if let Some((from, was_up)) = step.filter(|(_, was_up)| *was_up != up) {
-            turns.push(turn(delta, [from, here.0], was_up)?);
+            let sign = if was_up { 1.0 } else { -1.0 };
+            turns.push(fallible(delta, |delta| highest(|w| sign * delta(w), from, here.0))?);
         }
         step = Some((before.0, up));
         before = here;
     }
     Ok(turns)
-}
-
-/// The interference of the largest or smallest δ between two places.
-fn turn(delta: Way<'_>, [from, to]: [f64; 2], most: bool) -> Result<f64, QuadratureError> {
-    let sign = if most { 1.0 } else { -1.0 };
-    fallible(delta, |delta| highest(|w| sign * delta(w), from, to))
 }
 
 /// The part of a range with δ > u; δ must be monotonic on the range.

@@ -31,40 +31,18 @@ impl Correlation {
     /// Short name in lower case.
     #[must_use]
     pub fn id(self) -> &'static str {
+        self.source().id
+    }
+
+    fn source(self) -> &'static Citation {
         match self {
-            Self::CooperMikicYovanovich => "cmy",
-            Self::MikicElastic => "mikic",
+            Self::CooperMikicYovanovich => &PLASTIC_CONTACTS,
+            Self::MikicElastic => &ELASTIC_CONTACTS,
         }
     }
 
-    /// The base of the power law, [`CorrelationValue::relative_pressure`].
-    #[must_use]
-    pub fn relative_pressure(self) -> &'static str {
-        match self {
-            Self::CooperMikicYovanovich => "p/H",
-            Self::MikicElastic => "sqrt(2) p/(E m)",
-        }
-    }
-
-    /// Range of [`relative_pressure`](Self::relative_pressure) in which the power law is
-    /// [valid](CorrelationValue::holds).
-    #[must_use]
-    pub fn range(self) -> [f64; 2] {
-        let range = if self == Self::MikicElastic { ELASTIC } else { PLASTIC };
-        [*range.start(), *range.end()]
-    }
-
-    /// The contacts that the correlation does not describe, `elastic` or `plastic`.
-    #[must_use]
-    pub fn other_contacts(self) -> &'static str {
-        match self {
-            Self::CooperMikicYovanovich => "elastic",
-            Self::MikicElastic => "plastic",
-        }
-    }
-
-    /// The plasticity index of a scene with [other contacts](Self::other_contacts): below 1 for the
-    /// plastic correlation, at least 1 for the elastic one. `None` for contacts that the
+    /// The plasticity index of a scene with contacts of the other kind: below 1 for the plastic
+    /// correlation, at least 1 for the elastic one. `None` for contacts that the
     /// correlation describes, or without a hardness.
     #[must_use]
     pub fn foreign(self, scene: &Scene) -> Option<f64> {
@@ -143,10 +121,7 @@ const ELASTIC_CONTACTS: Citation = Citation {
 
 impl Described for Correlated {
     fn citation(&self) -> &Citation {
-        match self.correlation {
-            Correlation::CooperMikicYovanovich => &PLASTIC_CONTACTS,
-            Correlation::MikicElastic => &ELASTIC_CONTACTS,
-        }
+        self.correlation.source()
     }
 
     fn validity(&self) -> Validity {
@@ -194,8 +169,12 @@ impl Correlating {
         let of = self.model.correlation;
         let found =
             |field, value| Finding::warning(Code::Correlation, field, value).of_model(of.id());
+        // The base of the power law, its range, and the contacts that it does not describe.
+        let (base, range, kind) = match of {
+            Correlation::CooperMikicYovanovich => ("p/H", PLASTIC, "elastic"),
+            Correlation::MikicElastic => ("sqrt(2) p/(E m)", ELASTIC, "plastic"),
+        };
         let foreign = of.foreign(&self.scene).map(|index| {
-            let kind = of.other_contacts();
             let fact = format!("plasticity_index is {}: the contacts are {kind}", short(index));
             found("plasticity_index", index).fact(fact).advice("use the other correlation, or ke")
         });
@@ -203,14 +182,14 @@ impl Correlating {
             let pressure = at.pressure(&self.scene)?;
             Some((*at, of.at(&self.scene, &self.roughness, pressure).ok()?.relative_pressure))
         };
-        let [from, to] = of.range();
         let mut outside = places.iter().filter_map(relative);
-        let outside = outside.find(|(_, relative)| !(from..=to).contains(relative));
+        let outside = outside.find(|(_, relative)| !range.contains(relative));
         let outside = outside.map(|(at, relative)| {
             let fact = format!(
-                "{} is {} at {at}, outside the range of the correlation, {from:e} to {to}",
-                of.relative_pressure(),
-                short(relative)
+                "{base} is {} at {at}, outside the range of the correlation, {:e} to {}",
+                short(relative),
+                range.start(),
+                range.end()
             );
             found("pressure", relative).fact(fact)
         });

@@ -19,10 +19,10 @@ const FIRST_ROUNDING_ULPS: f64 = 40.0;
 #[derive(Debug, Clone)]
 pub struct Joint {
     source: Citation,
-    name: String,
+    pub(crate) name: String,
     virgin: Arc<dyn Contact>,
-    loading: Arc<AsperityLaws>,
-    tolerance: Tolerance,
+    pub(crate) loading: Arc<AsperityLaws>,
+    pub(crate) tolerance: Tolerance,
 }
 
 impl Joint {
@@ -71,29 +71,6 @@ impl Joint {
     #[must_use]
     pub fn law(&self) -> UnloadingLaw {
         self.loading.unloading
-    }
-
-    pub(crate) fn tolerance(&self) -> Tolerance {
-        self.tolerance
-    }
-
-    /// Whether any asperity unloads on another curve than it was loaded on.
-    pub(crate) fn yields(&self) -> bool {
-        self.loading.critical.is_finite()
-    }
-
-    /// Height of the highest asperity above the mean \[m\]; infinite for unbounded heights.
-    pub(crate) fn highest(&self) -> f64 {
-        let scene = self.scene();
-        scene.heights.support(scene.surface.asperity_height_std).1
-    }
-
-    pub(crate) fn loading(&self) -> &AsperityLaws {
-        &self.loading
-    }
-
-    pub(crate) fn name(&self) -> &str {
-        &self.name
     }
 
     /// The turning points of a history as separations \[m\] from the mean of the asperity heights,

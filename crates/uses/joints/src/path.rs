@@ -3,8 +3,8 @@
 use asperity_core::{At, ContactError, Quantity};
 use serde::Serialize;
 
+use crate::Joint;
 use crate::asperity_laws::UnloadingQuantity;
-use crate::{Joint, Unloading};
 
 /// One point of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -73,11 +73,15 @@ impl Joint {
                 work += returned(from)? - returned(last)?;
             }
             for separation in places {
-                if separation < closest {
-                    path.points.push(self.virgin_point(number, separation)?);
-                } else {
-                    path.points.push(retraced((&way, number), separation, closest)?);
-                }
+                path.points.push(match separation < closest {
+                    true => self.virgin_point(number, separation)?,
+                    false => {
+                        let of = |quantity| way.of(quantity, separation - closest);
+                        let force = of(UnloadingQuantity::Force)?.value();
+                        let stiffness = of(UnloadingQuantity::Stiffness)?.value();
+                        Point { separation, way: number, closest, force, stiffness }
+                    }
+                });
             }
             if to < closest {
                 work += self.closing(closest, to)?.value;
@@ -94,16 +98,4 @@ impl Joint {
         let (force, stiffness) = (force.value(), stiffness.value());
         Ok(Point { separation, way, closest: separation, force, stiffness })
     }
-}
-
-/// A point at or above the closest approach.
-fn retraced(
-    (curve, way): (&Unloading, usize),
-    separation: f64,
-    closest: f64,
-) -> Result<Point, ContactError> {
-    let retreat = separation - closest;
-    let of = |quantity| Ok(curve.of(quantity, retreat)?.value());
-    let (force, stiffness) = (of(UnloadingQuantity::Force)?, of(UnloadingQuantity::Stiffness)?);
-    Ok(Point { separation, way, closest, force, stiffness })
 }

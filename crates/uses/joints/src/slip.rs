@@ -4,7 +4,7 @@ use asperity_core::{ContactError, Evaluation, positive};
 
 use crate::Unloading;
 use crate::asperity_laws::UnloadingQuantity;
-use crate::root::{MAX_DISTANCE, falling_root};
+use crate::unloading::{MAX_DISTANCE, falling_root};
 
 /// Retreat \[σ_z\] beyond which the integrals may overflow.
 const MAX_RETREAT: f64 = 1e100;
@@ -49,13 +49,13 @@ impl PartialSlip {
     /// an equivalent shear modulus.
     pub fn new(normal: &Unloading, friction: f64) -> Result<Self, ContactError> {
         let friction = coefficient_of_friction(friction)?;
-        if normal.sums_contacts() {
+        if normal.joint.loading.sum.is_some() {
             let what = "partial slip: contacts beside the tops of asperities are inclined, which counts under friction; use a model without -pairs";
-            let (model, what) = (normal.name().into(), what.into());
+            let (model, what) = (normal.joint.name.clone(), what.into());
             return Err(ContactError::Unsupported { model, what });
         }
         let asperity = normal.scene().asperity()?;
-        let shear = asperity.shear_modulus(&format!("partial slip by {}", normal.name()))?;
+        let shear = asperity.shear_modulus(&format!("partial slip by {}", normal.joint.name))?;
         let retreat_per_shift = 4.0 * shear / (friction * asperity.equivalent_modulus);
         Ok(Self { normal: normal.clone(), friction, retreat_per_shift })
     }
@@ -108,11 +108,8 @@ impl PartialSlip {
         let spring = std::f64::consts::PI * force * amplitude;
         if loss < f64::MIN_POSITIVE || spring < f64::MIN_POSITIVE {
             let required = "an amplitude with a loss of at least 2.2e-308 J";
-            return Err(ContactError::OutOfRange {
-                field: "amplitude",
-                value: amplitude,
-                required,
-            });
+            let (field, value) = ("amplitude", amplitude);
+            return Err(ContactError::OutOfRange { field, value, required });
         }
         Ok(loss / spring)
     }
@@ -165,7 +162,7 @@ impl PartialSlip {
     /// 1e-10; the errors of [`shift_at`](Self::shift_at).
     pub fn amplitude_at(&self, force: f64) -> Result<f64, ContactError> {
         let (field, force) = ("tangential_force", positive("tangential_force", force)?);
-        let (limit, tolerance) = (self.limit()?, self.normal.tolerance().relative());
+        let (limit, tolerance) = (self.limit()?, self.normal.joint.tolerance.relative());
         let required = "less than friction times the normal force, within the tolerance of which the joint slides,";
         let slides = ContactError::OutOfRange { field, value: force, required };
         if force >= limit * (1.0 - tolerance) {

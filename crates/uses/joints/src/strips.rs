@@ -6,8 +6,7 @@ use asperity_quadrature::{chebyshev_roots, chebyshev_terms};
 
 use crate::asperity_laws::UnloadingQuantity;
 use crate::joint::Joint;
-use crate::strip::{Strip, StripCell, TERMS};
-use crate::table::JointTable;
+use crate::table::{JointTable, Strip, StripCell, TERMS};
 
 /// Initial width of strips \[σ_z\].
 const STRIP: f64 = 0.5;
@@ -47,8 +46,8 @@ impl Joint {
             return Err(ContactError::OutOfRange { field, value: width, required });
         }
         // All contacts are elastic within the elastic limit of the highest asperity.
-        let highest = self.highest();
-        let open = open.min(highest - self.loading().elastic_limit());
+        let highest = self.scene().heights.support(sigma).1;
+        let open = open.min(highest - self.loading.elastic_limit());
         let width = (open - deepest).max(0.0);
         let count = (width / (STRIP * sigma)).ceil() as usize;
         let mut strips = vec![];
@@ -93,11 +92,8 @@ impl Joint {
             last *= 1.5;
             if last > MAX_DISTANCE * sigma {
                 let required = "larger, as the force stays above it up to 1e8 asperity_height_std,";
-                return Err(ContactError::OutOfRange {
-                    field: "tolerance",
-                    value: tolerance,
-                    required,
-                });
+                let (field, value) = ("tolerance", tolerance);
+                return Err(ContactError::OutOfRange { field, value, required });
             }
         }
         // Without contact at the closest approach, the last retreat shrinks to the limit.

@@ -6,9 +6,63 @@ use asperity_core::{At, ContactError, Separation};
 use serde::{Deserialize, Serialize};
 
 use crate::joint::Joint;
-use crate::strip::Strip;
 
-/// A joint, tabulated for many steps.
+/// Terms in each direction.
+pub(crate) const TERMS: usize = 8;
+
+/// A range of closest approaches.
+#[derive(Debug, Clone)]
+pub(crate) struct Strip {
+    /// Start of the range \[m\], and 2 over its length \[1/m\].
+    pub(crate) from: f64,
+    pub(crate) scale: f64,
+    /// Ascending in u.
+    pub(crate) cells: Vec<StripCell>,
+}
+
+/// Retreats from `from` to `to`.
+#[derive(Debug, Clone)]
+pub(crate) struct StripCell {
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    /// Coefficients of Tᵢ(c) Tⱼ(u), `terms[i][j]`.
+    pub(crate) terms: [[f64; TERMS]; TERMS],
+    /// Lower limit of the force \[N\]: 0, or minus infinity if the model has tensile forces.
+    pub(crate) least: f64,
+}
+
+/// A joint, tabulated for many steps. The closest approach is all that a contact must remember.
+///
+/// A mass that falls on a rough surface and rebounds:
+/// ```
+/// use asperity_core::{Interface, Scene, Surface, Tolerance};
+/// use asperity_joints::{Joint, UnloadingLaw};
+/// use asperity_ke::KogutEtsion;
+///
+/// let surface = Surface::new(3.6e-4, 1.11e8, 1e-6);
+/// let scene = Scene::new(Interface::new(116e9, 0.31, 1.12e9), surface, 3e-5);
+/// let joint = Joint::new(&KogutEtsion, &scene, UnloadingLaw::Hertz, Tolerance::default())?;
+/// let table = joint.table((-0.5e-6, 4e-6), 1e-6)?;
+/// let mut closest = f64::INFINITY; // of a contact that has never been closed
+/// let (mass, gravity, dt) = (0.1, 9.81, 1e-7);
+/// let (mut separation, mut speed) = (8e-6, -0.01_f64); // m, m/s
+/// let (mut energies, mut before) = (vec![], speed);
+/// for _ in 0..200_000 {
+///     let reply = table.at(separation, closest)?;
+///     closest = reply.closest;
+///     speed += dt * (reply.force / mass - gravity);
+///     separation += dt * speed;
+///     if before > 0.0 && speed <= 0.0 {
+///         energies.push(mass * gravity * separation); // at rest, at the top
+///     }
+///     before = speed;
+/// }
+/// // The first impact dissipates energy; later ones are elastic, as they are less deep.
+/// let start = mass * (gravity * 8e-6 + 0.5 * 0.01 * 0.01);
+/// assert!(energies.len() > 2 && energies[0] < 0.6 * start, "{energies:?}");
+/// assert!((energies[1] / energies[0] - 1.0).abs() < 1e-2, "{energies:?}");
+/// # Ok::<(), asperity_core::ContactError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct JointTable {
     joint: Joint,
@@ -45,18 +99,6 @@ impl JointTable {
     ) -> Self {
         let per_metre = joint.scene().surface.asperity_height_std.recip();
         Self { joint, strips, deepest, open, highest, per_metre }
-    }
-
-    /// A contact that has never been closed.
-    #[must_use]
-    pub fn new_contact(&self) -> Memory<'_> {
-        self.contact_at(f64::INFINITY)
-    }
-
-    /// A contact with the saved state of another: its closest approach so far \[m\].
-    #[must_use]
-    pub fn contact_at(&self, closest: f64) -> Memory<'_> {
-        Memory { table: self, closest }
     }
 
     /// Force and stiffness at a separation \[m\] of a contact with the closest approach `closest`
@@ -99,61 +141,5 @@ impl JointTable {
             if is_step { ("separation", separation) } else { ("closest", closest) };
         let deepest = Separation::metres(self.deepest);
         ContactError::BelowTable { field, separation: Separation::metres(value), deepest }
-    }
-}
-
-/// A contact with its state variable, the closest approach.
-///
-/// A mass that falls on a rough surface and rebounds:
-/// ```
-/// use asperity_core::{Interface, Scene, Surface, Tolerance};
-/// use asperity_joints::{Joint, UnloadingLaw};
-/// use asperity_ke::KogutEtsion;
-///
-/// let surface = Surface::new(3.6e-4, 1.11e8, 1e-6);
-/// let scene = Scene::new(Interface::new(116e9, 0.31, 1.12e9), surface, 3e-5);
-/// let joint = Joint::new(&KogutEtsion, &scene, UnloadingLaw::Hertz, Tolerance::default())?;
-/// let table = joint.table((-0.5e-6, 4e-6), 1e-6)?;
-/// let mut contact = table.new_contact();
-/// let (mass, gravity, dt) = (0.1, 9.81, 1e-7);
-/// let (mut separation, mut speed) = (8e-6, -0.01_f64); // m, m/s
-/// let (mut energies, mut before) = (vec![], speed);
-/// for _ in 0..200_000 {
-///     let force = contact.step(separation)?.force;
-///     speed += dt * (force / mass - gravity);
-///     separation += dt * speed;
-///     if before > 0.0 && speed <= 0.0 {
-///         energies.push(mass * gravity * separation); // at rest, at the top
-///     }
-///     before = speed;
-/// }
-/// // The first impact dissipates energy; later ones are elastic, as they are less deep.
-/// let start = mass * (gravity * 8e-6 + 0.5 * 0.01 * 0.01);
-/// assert!(energies.len() > 2 && energies[0] < 0.6 * start, "{energies:?}");
-/// assert!((energies[1] / energies[0] - 1.0).abs() < 1e-2, "{energies:?}");
-/// # Ok::<(), asperity_core::ContactError>(())
-/// ```
-#[derive(Debug, Clone, Copy)]
-pub struct Memory<'t> {
-    table: &'t JointTable,
-    closest: f64,
-}
-
-impl Memory<'_> {
-    /// Moves to a separation \[m\] from the mean of the asperity heights.
-    ///
-    /// # Errors
-    /// The errors of [`JointTable::at`]; the contact is then unchanged.
-    #[inline]
-    pub fn step(&mut self, separation: f64) -> Result<Reply, ContactError> {
-        let reply = self.table.at(separation, self.closest)?;
-        self.closest = reply.closest;
-        Ok(reply)
-    }
-
-    /// The closest approach so far \[m\]; infinite for a new contact.
-    #[must_use]
-    pub fn closest(&self) -> f64 {
-        self.closest
     }
 }

@@ -4,22 +4,24 @@ use asperity_core::{
     At, ContactError, ContactModel, Datum, Evaluation, Quantity, Scene, Separation, SeparationUnit,
     Tolerance, positive,
 };
+use asperity_quadrature::{bracketed_root, fallible};
 
 use crate::asperity_laws::UnloadingQuantity;
 use crate::joint::Joint;
-use crate::root::{MAX_DISTANCE, falling_root};
 use crate::unloading_law::UnloadingLaw;
 
+/// Largest retreat searched \[σ_z\].
+pub(crate) const MAX_DISTANCE: f64 = 1e4;
 /// Tolerance of searches where the integrals do not reach the joint's.
 const ROUGH: f64 = 1e-6;
 
 /// Unloading of a contact from its closest approach.
 #[derive(Debug, Clone)]
 pub struct Unloading {
-    joint: Joint,
+    pub(crate) joint: Joint,
     closest: Separation,
     /// In σ_z from the mean of the asperity heights.
-    place: f64,
+    pub(crate) place: f64,
 }
 
 impl Joint {
@@ -28,7 +30,10 @@ impl Joint {
     /// # Errors
     /// The errors of finding a load.
     pub fn unloading(&self, closest: At) -> Result<Unloading, ContactError> {
-        Unloading::of_joint(self.clone(), self.virgin().separation(closest)?)
+        let closest = self.virgin().separation(closest)?;
+        let (sigmas, mean) = (SeparationUnit::Sigma, Datum::AsperityMean);
+        let place = closest.measured_in(sigmas, mean, self.scene())?.value;
+        Ok(Unloading { joint: self.clone(), closest, place })
     }
 }
 
@@ -48,12 +53,6 @@ impl Unloading {
         Joint::new(model, scene, law, tolerance)?.unloading(closest)
     }
 
-    fn of_joint(joint: Joint, closest: Separation) -> Result<Self, ContactError> {
-        let (sigmas, mean) = (SeparationUnit::Sigma, Datum::AsperityMean);
-        let place = closest.measured_in(sigmas, mean, joint.scene())?.value;
-        Ok(Self { joint, closest, place })
-    }
-
     /// The closest approach.
     #[must_use]
     pub fn closest(&self) -> Separation {
@@ -64,10 +63,6 @@ impl Unloading {
     #[must_use]
     pub fn scene(&self) -> &Scene {
         self.joint.scene()
-    }
-
-    pub(crate) fn tolerance(&self) -> Tolerance {
-        self.joint.tolerance()
     }
 
     /// The unloading law.
@@ -92,7 +87,7 @@ impl Unloading {
     pub fn area(&self, retreat: f64) -> Result<Evaluation, ContactError> {
         if self.law() == UnloadingLaw::Etsion {
             let what = "an area in unloading by etsion: use hertz or brake".into();
-            return Err(ContactError::Unsupported { model: self.name().into(), what });
+            return Err(ContactError::Unsupported { model: self.joint.name.clone(), what });
         }
         self.of(UnloadingQuantity::Area, retreat)
     }
@@ -190,29 +185,30 @@ impl Unloading {
             let required = "a finite number, at least 0,";
             return Err(ContactError::OutOfRange { field: "retreat", value: retreat, required });
         }
-        if retreat == 0.0
-            && matches!(
-                quantity,
-                UnloadingQuantity::Released | UnloadingQuantity::Loss | UnloadingQuantity::Returned
-            )
-        {
+        if retreat == 0.0 && quantity.sums_up() {
             return Ok(Evaluation::new(0.0, 0.0));
         }
         let found = self.joint.retreated(quantity, retreat, &[self.place])?.into_iter().next();
         found.ok_or(ContactError::NotRequested { quantity: Quantity::Force })
     }
+}
 
-    /// The closest approach, in σ_z from the mean of the asperity heights.
-    pub(crate) fn place(&self) -> f64 {
-        self.place
+/// The root of a falling `f`, searched from `low` in steps that double up to `farthest`; `low`
+/// where `f` is not positive there, `None` where `f` is still positive at the end.
+pub(crate) fn falling_root(
+    f: impl Fn(f64) -> Result<f64, ContactError>,
+    (mut low, mut high): (f64, f64),
+    farthest: f64,
+) -> Result<Option<f64>, ContactError> {
+    if f(low)? <= 0.0 {
+        return Ok(Some(low));
     }
-
-    /// Whether an asperity has several contacts.
-    pub(crate) fn sums_contacts(&self) -> bool {
-        self.joint.loading().sum.is_some()
+    while f(high)? > 0.0 {
+        (low, high) = (high, 2.0 * high);
+        if high > farthest {
+            return Ok(None);
+        }
     }
-
-    pub(crate) fn name(&self) -> &str {
-        self.joint.name()
-    }
+    // Minus infinity, the logarithm of 0, is replaced by a finite value.
+    fallible(|x| Ok(f(x)?.max(-f64::MAX)), |f| bracketed_root(f, low, high))
 }

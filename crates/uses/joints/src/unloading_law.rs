@@ -40,10 +40,8 @@ impl FromStr for UnloadingLaw {
     fn from_str(name: &str) -> Result<Self, String> {
         let wanted = name.trim().to_lowercase();
         let found = Self::ALL.into_iter().find(|law| law.to_string() == wanted);
-        let known = Self::ALL.map(|law| law.to_string()).join(", ");
         let names = Self::ALL.map(|law| law.to_string());
-        let near = nearest_name(&wanted, names.iter().map(String::as_str));
-        let near = nearest_hint(near);
-        found.ok_or_else(|| format!("{name:?} is none of {known}{near}"))
+        let near = nearest_hint(nearest_name(&wanted, names.iter().map(String::as_str)));
+        found.ok_or_else(|| format!("{name:?} is none of {}{near}", names.join(", ")))
     }
 }

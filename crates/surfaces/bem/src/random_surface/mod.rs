@@ -1,8 +1,6 @@
 //! Reproducible random surfaces: a power law with a roll-off and random phases.
 
-mod another;
 mod lay;
-mod skewed;
 mod waves;
 
 use std::f64::consts::TAU;
@@ -13,7 +11,7 @@ use asperity_fft::Complex64;
 use crate::height_map::positive;
 use crate::{BemError, HeightMap};
 use lay::Lay;
-use waves::Waves;
+use waves::{Waves, mix, skewed};
 
 /// The most waves along a side.
 const MOST: f64 = 8192.0;
@@ -120,16 +118,9 @@ impl RandomSurface {
                 return Err(BemError::OutOfRange { field, found, required });
             }
         }
-        let [hurst, side, aspect, size] = [Self::HURST, 1.0, 1.0, 1.0];
-        let size = Size::Gradient(size);
-        let (lay, skewness, seed) = (None, None, 0);
-        let this =
-            Self { longest, roll_off, shortest, hurst, side, aspect, size, lay, skewness, seed };
-        if this.waves().next().is_none() {
-            let required = "at least one whole wave between the longest and the shortest";
-            return Err(BemError::OutOfRange { field: "shortest", found: shortest, required });
-        }
-        Ok(this)
+        let required = "at least one whole wave between the longest and the shortest";
+        let none = BemError::OutOfRange { field: "shortest", found: shortest, required };
+        Self::of([longest, roll_off, shortest], [1.0; 2], none)
     }
 
     /// A surface of `size` = \[length of a row, length of a column\] \[m\] whose waves have the
@@ -158,25 +149,23 @@ impl RandomSurface {
             let required = "at least 1/8192 of the size";
             return Err(BemError::OutOfRange { field: "shortest wave", found: shortest, required });
         }
-        let [longest_waves, roll_off, shortest_waves] =
-            [longest, roll_off, shortest].map(|length| row / length);
-        let this = Self {
-            longest: longest_waves,
-            roll_off,
-            shortest: shortest_waves,
-            hurst: Self::HURST,
-            side: row,
-            aspect: row / column,
-            size: Size::Gradient(1.0),
-            lay: None,
-            skewness: None,
-            seed: 0,
-        };
-        if this.waves().next().is_none() {
-            let required = "at least one whole wave on the size between longest and shortest";
-            return Err(BemError::OutOfRange { field: "longest wave", found: longest, required });
-        }
-        Ok(this)
+        let required = "at least one whole wave on the size between longest and shortest";
+        let none = BemError::OutOfRange { field: "longest wave", found: longest, required };
+        let waves = [longest, roll_off, shortest].map(|length| row / length);
+        Self::of(waves, [row, row / column], none)
+    }
+
+    /// A surface of these cut-offs; the error `none` if no whole wave lies between them.
+    fn of(
+        [longest, roll_off, shortest]: [f64; 3],
+        [side, aspect]: [f64; 2],
+        none: BemError,
+    ) -> Result<Self, BemError> {
+        let (hurst, size) = (Self::HURST, Size::Gradient(1.0));
+        let (lay, skewness, seed) = (None, None, 0);
+        let this =
+            Self { longest, roll_off, shortest, hurst, side, aspect, size, lay, skewness, seed };
+        if this.waves().next().is_some() { Ok(this) } else { Err(none) }
     }
 
     /// Another Hurst exponent.
@@ -287,7 +276,7 @@ impl RandomSurface {
             waves.set(i, j, Complex64::from_polar(0.5 * amplitude, phase));
         }
         let heights = match self.skewness {
-            Some(skewness) => skewed::heights(&waves, skewness)?,
+            Some(skewness) => skewed(&waves, skewness)?,
             None => waves.heights(),
         };
         let [rows, columns] = shape;
@@ -338,12 +327,4 @@ impl RandomSurface {
             Size::Height(sq) => sq * sq / self.waves().map(|wave| wave.weight).sum::<f64>(),
         }
     }
-}
-
-/// The next number of SplitMix64 after the state z.
-fn mix(z: u64) -> u64 {
-    let z = z.wrapping_add(0x9E37_79B9_7F4A_7C15);
-    let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    z ^ (z >> 31)
 }

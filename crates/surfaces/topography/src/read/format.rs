@@ -1,6 +1,6 @@
 //! The format of a file, by its first bytes or its extension; formats without a reader are named.
 
-use super::{npy, sdf, sur, x3p};
+use super::{gwy, npy, sdf, sur, x3p};
 use crate::TopographyError;
 
 /// A format with a reader.
@@ -57,13 +57,12 @@ impl Format {
     pub(super) fn of(name: &str, bytes: &[u8]) -> Result<Self, TopographyError> {
         let extension = name.rsplit_once('.').map(|(_, end)| end.to_ascii_lowercase());
         let extension = extension.as_deref().unwrap_or_default();
-        match bytes {
-            _ if bytes.starts_with(b"GWYP") => return Ok(Self::Gwy),
-            _ if bytes.starts_with(npy::MAGIC) => return Ok(Self::Npy),
-            _ if bytes.starts_with(sur::MAGIC) => return Ok(Self::Sur),
-            _ if bytes.starts_with(sur::COMPRESSED) => return Ok(Self::Sur),
-            _ if sdf::is_sdf(bytes) => return Ok(Self::Sdf),
-            _ => {}
+        let starts = |mark: &&[u8]| bytes.starts_with(mark);
+        let read = |(.., marks): &&(_, _, &[&[u8]])| marks.iter().any(starts);
+        match READ.iter().find(read) {
+            Some((format, ..)) => return Ok(*format),
+            None if sdf::is_sdf(bytes) => return Ok(Self::Sdf),
+            None => {}
         }
         if let Some(Foreign { kind, name, advice, .. }) = foreign(extension, bytes) {
             let found = match kind {
@@ -72,21 +71,26 @@ impl Format {
             };
             return Err(TopographyError::Format { found, advice });
         }
-        match extension {
+        match READ.iter().find(|(_, name, _)| *name == extension) {
             _ if bytes.starts_with(x3p::MAGIC) => Ok(Self::X3p),
-            "gwy" => Ok(Self::Gwy),
-            "npy" => Ok(Self::Npy),
-            "sur" => Ok(Self::Sur),
-            "sdf" => Ok(Self::Sdf),
-            "x3p" => Ok(Self::X3p),
-            _ if is_binary(bytes) => {
+            Some((format, ..)) => Ok(*format),
+            None if is_binary(bytes) => {
                 let found = "binary and of unknown format".into();
                 Err(TopographyError::Format { found, advice: "" })
             }
-            _ => Ok(Self::Text),
+            None => Ok(Self::Text),
         }
     }
 }
+
+/// Formats with a reader, by extension and first bytes. Archives of other formats begin as X3P.
+const READ: [(Format, &str, &[&[u8]]); 5] = [
+    (Format::Gwy, "gwy", &[gwy::MAGIC]),
+    (Format::Npy, "npy", &[npy::MAGIC]),
+    (Format::Sur, "sur", &[sur::MAGIC, sur::COMPRESSED]),
+    (Format::Sdf, "sdf", &[]),
+    (Format::X3p, "x3p", &[]),
+];
 
 /// The format of a file if it has no reader. An extension alone counts for binary files only.
 fn foreign(extension: &str, bytes: &[u8]) -> Option<Foreign> {

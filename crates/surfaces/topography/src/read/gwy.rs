@@ -11,7 +11,7 @@ use super::scan::{Scan, points, positive, select};
 use crate::error::{damaged, excerpt, refuse};
 use crate::{LengthUnit, TopographyError};
 
-const MAGIC: &[u8] = b"GWYP";
+pub(super) const MAGIC: &[u8] = b"GWYP";
 
 pub(super) fn scan(bytes: &[u8], channel: Option<&str>) -> Result<Scan, TopographyError> {
     let rest =

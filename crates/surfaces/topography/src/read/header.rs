@@ -168,17 +168,19 @@ impl Header {
         self.find(["name"]).map(|entry| entry.words.as_str())
     }
 
-    /// The unit that the factor of the heights leads to, if it is stated beside it.
-    pub(super) fn unit_of_factor(&self) -> Result<Option<LengthUnit>, TopographyError> {
-        let Some(entry) = self.find(["factor"]) else { return Ok(None) };
-        entry.unit.as_ref().map(|unit| entry.length_unit(unit)).transpose()
-    }
-
-    /// The unit that the header states for the heights.
-    pub(super) fn unit(&self) -> Result<Option<LengthUnit>, TopographyError> {
+    /// The unit of the heights: that which their factor leads to, that over their column or that
+    /// which a line states.
+    pub(super) fn unit(
+        &self,
+        of_column: Option<LengthUnit>,
+    ) -> Result<Option<LengthUnit>, TopographyError> {
+        let of_factor = self.find(["factor"]).map_or(Ok(None), |entry| entry.unit_or(None))?;
         let required = "a unit of length, or a conversion factor of the heights";
-        let unit = |entry: &Entry| entry.words.parse().map_err(|_| entry.wrong(required));
-        self.find(["unit"]).map(unit).transpose()
+        let stated = |entry: &Entry| entry.words.parse().map_err(|_| entry.wrong(required));
+        match of_factor.or(of_column) {
+            None => self.find(["unit"]).map(stated).transpose(),
+            unit => Ok(unit),
+        }
     }
 
     /// The factor of the heights, which leads to their unit, with a note of it; `unit` tells

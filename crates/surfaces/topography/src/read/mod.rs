@@ -13,7 +13,6 @@ mod scan;
 mod sdf;
 mod sur;
 mod table;
-mod text;
 mod words;
 mod x3p;
 mod x3p_xml;
@@ -29,8 +28,11 @@ pub use header::HeaderLine;
 pub use scan::ReadOptions;
 pub(crate) use words::{quantities, unit_meaning};
 
+use self::blocks::{Block, blocks};
 use self::format::Format;
-use crate::error::{at_most, damaged, refuse, unknown_name};
+use self::header::Header;
+use self::scan::{Scan, listed, select};
+use crate::error::{at_most, damaged, refuse, undecided, unknown_name};
 use crate::{Topography, TopographyError};
 
 /// The largest file that is read, and the largest content of a gzip file: 2 GiB.
@@ -95,7 +97,9 @@ pub fn read_header(
 ) -> Result<Vec<HeaderLine>, TopographyError> {
     let (name, bytes) = unpacked(name, bytes)?;
     match Format::of(name, &bytes)? {
-        Format::Text => text::header(&bytes, options),
+        Format::Text => {
+            Ok(tables(&bytes, options)?.into_iter().flat_map(|(header, _)| header.lines).collect())
+        }
         _ => Ok(vec![]),
     }
 }
@@ -105,7 +109,7 @@ fn scan(
     name: &str,
     bytes: impl AsRef<[u8]>,
     options: &ReadOptions,
-) -> Result<scan::Scan, TopographyError> {
+) -> Result<Scan, TopographyError> {
     let (name, bytes) = unpacked(name, bytes.as_ref())?;
     let channel = options.channel.as_deref();
     let scan = match Format::of(name, &bytes)? {
@@ -114,10 +118,44 @@ fn scan(
         Format::Npy => npy::scan(&bytes),
         Format::X3p => x3p::scan(&bytes),
         Format::Sdf => sdf::scan(&bytes),
-        Format::Text => return text::scan(&bytes, options),
+        Format::Text => return text_scan(&bytes, options),
     };
     let Some(channel) = channel else { return scan };
     Err(unknown_name("channel", channel, "a file with several channels (.gwy, .sur or text)"))
+}
+
+/// The surface in a text.
+fn text_scan(bytes: &[u8], options: &ReadOptions) -> Result<Scan, TopographyError> {
+    let mut tables = tables(bytes, options)?;
+    let name = |(k, (header, _)): (usize, &(Header, Block))| match header.name() {
+        Some(name) => name.to_owned(),
+        None => format!("table {}", k + 1),
+    };
+    let names: Vec<String> = tables.iter().enumerate().map(name).collect();
+    if let (None, Some((header, block))) = (&options.channel, tables.get(1)) {
+        let line = header.lines.first().map_or(block.line, |first| first.line.min(block.line));
+        let found = "a second table".to_owned();
+        return Err(undecided(format!("line {line}"), found, "channel", &listed(&names)));
+    }
+    let (at, _) = select(&names, options.channel.as_deref())?;
+    let (header, block) = tables.swap_remove(at);
+    table::scan(block, &header, options)
+}
+
+/// The tables of a text with their headers.
+fn tables(bytes: &[u8], options: &ReadOptions) -> Result<Vec<(Header, Block)>, TopographyError> {
+    let mut tables = vec![];
+    for block in blocks(&lines::decode(bytes)?, options)? {
+        let header = Header::read(&block.header, block.delimiter);
+        let blocks = match header.points()? {
+            [None, None] => block.split(),
+            _ => vec![block],
+        };
+        for block in blocks {
+            tables.push((Header::read(&block.header, block.delimiter), block));
+        }
+    }
+    Ok(tables)
 }
 
 /// The name and the content of a file that may be packed by gzip.

@@ -58,10 +58,7 @@ pub(super) fn scan(
     for code in header.missing() {
         scan.heights.iter_mut().filter(|z| is_code(**z, *code)).for_each(|z| *z = f64::NAN);
     }
-    scan.unit = match header.unit_of_factor()?.or(scan.unit) {
-        None => header.unit()?,
-        unit => unit,
-    };
+    scan.unit = header.unit(scan.unit)?;
     if let Some((factor, note)) = header.factor(scan.unit.or(options.height_unit()).is_some())? {
         scan.factor = Some(factor);
         scan.notes.extend(Some(note).filter(|_| factor.total_cmp(&1.0).is_ne()));

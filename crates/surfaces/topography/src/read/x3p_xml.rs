@@ -87,13 +87,12 @@ impl Description {
 
 impl Data {
     fn read(root: Node<'_, '_>, coordinates: usize) -> Result<Self, TopographyError> {
-        let link = |name: &str| find(root, &["Record3", "DataLink", name]).map(trimmed_text);
+        let link = |name: &str| {
+            find(root, &["Record3", "DataLink", name]).map(|node| trimmed_text(node).to_owned())
+        };
         if let Some(points) = link("PointDataLink") {
             let valid = link("ValidPointsLink").filter(|name| !name.is_empty());
-            return Ok(Self::Entries {
-                points: points.to_owned(),
-                valid: valid.map(str::to_owned),
-            });
+            return Ok(Self::Entries { points, valid });
         }
         let list = find(root, &["Record3", "DataList"])
             .ok_or_else(|| refuse("x3p Record3", "no data", "a PointDataLink or a DataList"))?;
@@ -161,8 +160,7 @@ fn text<'a>(root: Node<'a, '_>, path: &[&str]) -> Result<&'a str, TopographyErro
 fn place(path: &[&str]) -> String {
     match path {
         [_, _, axis @ ("CX" | "CY" | "CZ"), name] => format!("x3p {axis} {name}"),
-        [.., name] => format!("x3p {name}"),
-        [] => "x3p".into(),
+        _ => format!("x3p {}", path.last().unwrap_or(&"")),
     }
 }
 

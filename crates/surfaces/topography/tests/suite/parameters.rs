@@ -52,7 +52,8 @@ fn parameters_are_those_of_surfalize() {
         let surface = open(stretch);
         let parameters = surface.parameters().unwrap();
         let (decay, peaks) = (surface.decay().unwrap(), surface.peaks().unwrap());
-        let of_curve = surface.material_ratio().unwrap().functional();
+        let [sk, spk, svk, smr1, smr2, vmp, vmc, vvc, vvv] =
+            surface.material_ratio().unwrap().functional();
         let mut seen = 0;
         for (name, _, value) in rows(case, 0) {
             // Sal and Str interpolate otherwise; the shortest length is of four points.
@@ -71,22 +72,22 @@ fn parameters_are_those_of_surfalize() {
                 // Here n points cover n pixels, there n - 1.
                 "Spd" => (peaks.spd, 1e12 * (159.0 * 127.0) / (160.0 * 128.0), 1e-12),
                 "Spc" => (peaks.spc.unwrap(), 1e6, 1e-11),
-                "Sk" => (of_curve.sk, 1e-6, 1e-11),
-                "Smr1" => (of_curve.smr1, 1.0, 1e-11),
-                "Smr2" => (of_curve.smr2, 1.0, 1e-11),
-                "pk" => (of_curve.spk, 1e-6, 1e-11),
-                "vk" => (of_curve.svk, 1e-6, 1e-11),
-                "vmp" => (of_curve.vmp, 1e-6, 1e-11),
-                "vmc" => (of_curve.vmc, 1e-6, 1e-11),
-                "vvc" => (of_curve.vvc, 1e-6, 1e-11),
-                "vvv" => (of_curve.vvv, 1e-6, 1e-11),
+                "Sk" => (sk, 1e-6, 1e-11),
+                "Smr1" => (smr1, 1.0, 1e-11),
+                "Smr2" => (smr2, 1.0, 1e-11),
+                "pk" => (spk, 1e-6, 1e-11),
+                "vk" => (svk, 1e-6, 1e-11),
+                "vmp" => (vmp, 1e-6, 1e-11),
+                "vmc" => (vmc, 1e-6, 1e-11),
+                "vvc" => (vvc, 1e-6, 1e-11),
+                "vvv" => (vvv, 1e-6, 1e-11),
                 // Areas under a line, up to the nearest class: one of 20,480.
-                "Spk" => (of_curve.spk, 1e-6, 4e-3),
-                "Svk" => (of_curve.svk, 1e-6, 4e-3),
-                "Svmp" => (of_curve.vmp, 1e-6, 4e-3),
-                "Svmc" => (of_curve.vmc, 1e-6, 4e-3),
-                "Svvc" => (of_curve.vvc, 1e-6, 4e-3),
-                "Svvv" => (of_curve.vvv, 1e-6, 4e-3),
+                "Spk" => (spk, 1e-6, 4e-3),
+                "Svk" => (svk, 1e-6, 4e-3),
+                "Svmp" => (vmp, 1e-6, 4e-3),
+                "Svmc" => (vmc, 1e-6, 4e-3),
+                "Svvc" => (vvc, 1e-6, 4e-3),
+                "Svvv" => (vvv, 1e-6, 4e-3),
                 other => panic!("{other}"),
             };
             let right = value * unit;
