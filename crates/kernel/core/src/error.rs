@@ -220,8 +220,11 @@ pub fn positive(field: &'static str, value: f64) -> Result<f64, ContactError> {
     require(value.is_finite() && value > 0.0, field, value, "a finite number above 0")
 }
 
-/// `value` if it `holds` what was `required`; otherwise [`ContactError::OutOfRange`].
-pub(crate) fn require(
+/// `value` if it `holds` what was `required`.
+///
+/// # Errors
+/// [`ContactError::OutOfRange`] naming the field.
+pub fn require(
     holds: bool,
     field: &'static str,
     value: f64,

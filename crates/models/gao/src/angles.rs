@@ -1,6 +1,6 @@
 //! The density of the contact normals over angles.
 
-use asperity_core::ContactError;
+use asperity_core::{ContactError, require};
 use serde::{Deserialize, Serialize};
 
 /// The density of the contact normals over u = |cos φ|, from 0 (grazing) to 1 (upright).
@@ -43,16 +43,10 @@ impl AngleDensity {
         let Self::Harmonic { a20, a21, b21 } = *self else {
             return Ok(());
         };
-        if !(-1.0..=2.0).contains(&a20) {
-            let required = "from -1 to 2, or the density is negative,";
-            return Err(ContactError::OutOfRange { field: "a20", value: a20, required });
-        }
-        for (field, value) in [("a21", a21), ("b21", b21)] {
-            if !value.is_finite() {
-                return Err(ContactError::OutOfRange { field, value, required: "a finite number" });
-            }
-        }
-        Ok(())
+        let required = "from -1 to 2, or the density is negative,";
+        require((-1.0..=2.0).contains(&a20), "a20", a20, required)?;
+        require(a21.is_finite(), "a21", a21, "a finite number")?;
+        require(b21.is_finite(), "b21", b21, "a finite number").map(drop)
     }
 
     /// 4π ψ at polar angle φ and azimuth θ \[rad\], all terms included; 0 for upright normals,

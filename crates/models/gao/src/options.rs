@@ -1,6 +1,6 @@
 //! Options of the lateral models.
 
-use asperity_core::ContactError;
+use asperity_core::{ContactError, require};
 use serde::{Deserialize, Serialize};
 
 use crate::AngleDensity;
@@ -75,10 +75,8 @@ impl LateralOptions {
         self.angle_density.check()?;
         if let Displacement::Given { zeta, xi } = self.displacement {
             for (field, value) in [("zeta", zeta), ("xi", xi)] {
-                if !(value >= 0.0 && value.is_finite()) {
-                    let required = "a finite number, at least 0,";
-                    return Err(ContactError::OutOfRange { field, value, required });
-                }
+                let holds = value >= 0.0 && value.is_finite();
+                require(holds, field, value, "a finite number, at least 0,")?;
             }
         }
         Ok(())

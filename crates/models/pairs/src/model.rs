@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use asperity_core::{
     Asperity, AsperityModel, Contact, ContactError, ContactModel, Described, HeightDistribution,
-    Law, Request, Scene, SumOfContacts, Variant, Wraps, compile_laws, contact_of_laws,
+    Law, Request, Scene, SumOfContacts, Variant, Wraps, contact_of_laws,
 };
 
 use crate::integral::integral;
@@ -65,10 +65,10 @@ impl ContactModel for AsperityPairs {
     }
 
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        compile_laws(self, scene, request)
+        contact_of_laws(self, scene, request, true)
     }
 
     fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        contact_of_laws(self, scene, request)
+        contact_of_laws(self, scene, request, false)
     }
 }

@@ -7,23 +7,10 @@ use crate::engine::prepared::Prepared;
 use crate::law::contact_radii;
 use crate::request::quantity_table::Derivation;
 use crate::scene::place::LOWEST;
-use crate::{ContactEngine, ContactError, FillReport, Quantity, response};
-
-/// Fills a column for each quantity: from integrals where the quantity is a multiple of one,
-/// otherwise value by value.
-pub(crate) fn fill(
-    prepared: &Prepared,
-    quantities: &[Quantity],
-    separations: &[f64],
-    columns: &mut [&mut [f64]],
-) -> Result<FillReport, ContactError> {
-    let one = |quantity, at| prepared.evaluate_at(quantity, at);
-    let many = |quantity, s: &[f64], values: &mut [f64]| multiple(prepared, quantity, s, values);
-    response::fill::fill((many, one), quantities, separations, columns)
-}
+use crate::{FillReport, Quantity};
 
 /// The values, if the quantity is a multiple of an integral and every value is a normal number.
-fn multiple(
+pub(crate) fn multiple(
     prepared: &Prepared,
     quantity: Quantity,
     separations: &[f64],

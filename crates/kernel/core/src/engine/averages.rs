@@ -8,7 +8,7 @@ use asperity_quadrature::{Moments, QuadratureError};
 use crate::engine::inverse::force_at::{Falls, ForceAt};
 use crate::engine::inverse::{CarriedLoad, ForceCurve, Halves, check_load};
 use crate::engine::laws::Laws;
-use crate::error::integral_failed;
+use crate::error::{integral_failed, require};
 use crate::scene::place::{HIGHEST, LOWEST, SeparationInSigma};
 use crate::{At, ContactError, Quantity, Scene, Share};
 
@@ -166,11 +166,9 @@ pub(crate) fn separation_of_pull_off<'s>(
     let least = force.largest(-1.0, ln_least)?;
     let level = least.level();
     let (pulls, value) = (level.sign < 0.0 && level.ln > ln_least, least.s);
-    if pulls && (value <= LOWEST || value >= HIGHEST) {
-        let required = "one within -1e6 and 1e9 asperity_height_std";
-        let field = "separation of the pull-off";
-        return Err(ContactError::OutOfRange { field, value, required });
-    }
+    let required = "one within -1e6 and 1e9 asperity_height_std";
+    let inside = value > LOWEST && value < HIGHEST;
+    require(inside || !pulls, "separation of the pull-off", value, required)?;
     Ok(pulls.then_some(value))
 }
 

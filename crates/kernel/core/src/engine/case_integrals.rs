@@ -7,11 +7,10 @@ use std::sync::Arc;
 use asperity_quadrature::{Moments, Nearby, QuadratureError};
 
 use crate::engine::averages::{Averages, all_parts};
-use crate::engine::height_integral::{HeightIntegral, with_slope_within};
+use crate::engine::height_integral::{HeightIntegral, LawUnits, with_slope_within};
 use crate::engine::inverse::Halves;
 use crate::engine::inverse::above::ROUGH;
 use crate::engine::inverse::force_at::Falls;
-use crate::engine::law_units::LawUnits;
 use crate::engine::laws::Laws;
 use crate::engine::shapes::{LocalShape, RecentShapes};
 use crate::error::integral_failed;

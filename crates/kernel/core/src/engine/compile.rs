@@ -5,20 +5,8 @@ use crate::engine::list::is_short;
 use crate::engine::prepared::{Facts, Prepared};
 use crate::{AsperityModel, Contact, ContactError, ContactModel, Request, Scene};
 
-/// [`ContactModel::compile`] of a model that averages laws of asperities over heights.
-///
-/// # Errors
-/// The errors of [`ContactModel::compile`].
-pub fn compile_laws(
-    model: &dyn ContactModel,
-    scene: &Scene,
-    request: &Request,
-) -> Result<Box<dyn Contact>, ContactError> {
-    let scene = model.scene_of(scene)?;
-    Ok(Box::new(Prepared::new(Facts::new(model, &scene, request)?, &scene)?))
-}
-
-/// [`ContactModel::contact`] of such a model.
+/// A model that averages laws of asperities over heights, on a scene: `prepared` for many places
+/// ([`ContactModel::compile`]), or as the places of the request suggest ([`ContactModel::contact`]).
 ///
 /// # Errors
 /// The errors of [`ContactModel::compile`].
@@ -26,12 +14,14 @@ pub fn contact_of_laws(
     model: &dyn ContactModel,
     scene: &Scene,
     request: &Request,
+    prepared: bool,
 ) -> Result<Box<dyn Contact>, ContactError> {
-    if !is_short(request, scene) {
-        return compile_laws(model, scene, request);
-    }
     let scene = model.scene_of(scene)?;
-    Ok(Box::new(Alone::new(Facts::new(model, &scene, request)?, &scene)?))
+    let facts = Facts::new(model, &scene, request)?;
+    Ok(match prepared || !is_short(request, &scene) {
+        true => Box::new(Prepared::new(facts, &scene)?),
+        false => Box::new(Alone::new(facts, &scene)?),
+    })
 }
 
 impl<M: AsperityModel> ContactModel for M {
@@ -40,10 +30,10 @@ impl<M: AsperityModel> ContactModel for M {
     }
 
     fn compile(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        compile_laws(self, scene, request)
+        contact_of_laws(self, scene, request, true)
     }
 
     fn contact(&self, scene: &Scene, request: &Request) -> Result<Box<dyn Contact>, ContactError> {
-        contact_of_laws(self, scene, request)
+        contact_of_laws(self, scene, request, false)
     }
 }

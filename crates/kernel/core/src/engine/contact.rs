@@ -1,15 +1,15 @@
 //! A model of one asperity averaged over the heights of a scene, for callers: prepared for many
 //! places.
 
-use crate::engine::arrays;
 use crate::engine::averages::{
     all_separations_of_load, separation_of_load, separation_of_pull_off,
 };
-use crate::engine::list::{answer_prepared, shares_at};
 use crate::engine::plan::plan;
 use crate::engine::prepared::Prepared;
 use crate::engine::row_integrals::RowIntegrals;
-use crate::response::Response;
+use crate::engine::{arrays, list, parallel};
+use crate::model::contact::respond;
+use crate::response::{Response, fill};
 use crate::{
     At, Contact, ContactEngine, ContactError, Evaluation, FillReport, Plan, Quantity, Request,
     Scene, Separation, Share,
@@ -49,7 +49,10 @@ impl ContactEngine for Prepared {
         separations: &[f64],
         columns: &mut [&mut [f64]],
     ) -> Result<FillReport, ContactError> {
-        arrays::fill(self, quantities, separations, columns)
+        let one = |quantity, at| self.evaluate_at(quantity, at);
+        let many =
+            |quantity, s: &[f64], values: &mut [f64]| arrays::multiple(self, quantity, s, values);
+        fill::fill((many, one), quantities, separations, columns)
     }
 
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
@@ -66,7 +69,7 @@ impl ContactEngine for Prepared {
     }
 
     fn shares_at(&self, quantity: Quantity, at: At) -> Result<Vec<Share>, ContactError> {
-        shares_at(&self.facts, &mut &*self, quantity, &at)
+        list::shares_at(&self.facts, &mut &*self, quantity, &at)
     }
 
     fn plan(&self, request: &Request) -> Result<Plan, ContactError> {
@@ -78,6 +81,8 @@ impl ContactEngine for Prepared {
     }
 
     fn respond_to(&self, request: &Request) -> Response {
-        answer_prepared(self, request)
+        let columns = |places: &[At]| list::columns(self, &request.quantities, places);
+        let answered = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
+        respond(self, request, answered, |quantity, at| list::behind(&mut &*self, quantity, at))
     }
 }

@@ -4,15 +4,11 @@
 use asperity_quadrature::Moments;
 
 use crate::engine::averages::{Averages, separation_at, shares};
-use crate::engine::parallel;
 use crate::engine::prepared::{Facts, Prepared};
 use crate::engine::row_integrals::{LawIntegral, RowIntegrals, answers};
-use crate::model::contact::respond;
 use crate::response::Answered;
 use crate::scene::place::SeparationInSigma;
-use crate::{
-    At, ContactError, Evaluation, OtherHeights, Quantity, Request, Response, Scene, Share,
-};
+use crate::{At, ContactError, Evaluation, OtherHeights, Quantity, Request, Scene, Share};
 
 /// Rows of a run, whose integrals are made together and stay in the cache.
 const ROWS_PER_RUN: usize = 256;
@@ -28,13 +24,6 @@ pub(crate) fn is_short(request: &Request, scene: &Scene) -> bool {
     let sampled = scene.heights.sampled(1.0);
     let few = sampled.map_or(FEW, |(heights, _)| FEW_BETWEEN_BREAKS * ranges(heights));
     request.at.len() <= few
-}
-
-/// The response to a request from prepared integrals.
-pub(crate) fn answer_prepared(prepared: &Prepared, request: &Request) -> Response {
-    let columns = |places: &[At]| columns(prepared, &request.quantities, places);
-    let answered = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
-    respond(prepared, request, answered, |quantity, at| behind(&mut &*prepared, quantity, at))
 }
 
 /// The value behind a logarithm or a share; `None` if it is not negative for any law.
@@ -82,7 +71,11 @@ pub(crate) fn add_row(
 }
 
 /// The quantities at each place and the separations, column by column.
-fn columns(prepared: &Prepared, quantities: &[Quantity], places: &[At]) -> Vec<Vec<Answered>> {
+pub(crate) fn columns(
+    prepared: &Prepared,
+    quantities: &[Quantity],
+    places: &[At],
+) -> Vec<Vec<Answered>> {
     let mut columns = empty(quantities, places);
     let requested = quantities.iter().all(|q| prepared.facts.check_requested(*q).is_ok());
     for run in places.chunks(ROWS_PER_RUN) {

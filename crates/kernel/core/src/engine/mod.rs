@@ -2,14 +2,12 @@
 
 pub(crate) mod alone;
 pub(crate) mod arrays;
-pub(crate) mod at_point;
 pub(crate) mod averages;
 pub(crate) mod case_integrals;
 pub(crate) mod compile;
 mod contact;
 pub(crate) mod height_integral;
 pub(crate) mod inverse;
-pub(crate) mod law_units;
 pub(crate) mod laws;
 pub(crate) mod list;
 pub(crate) mod parallel;

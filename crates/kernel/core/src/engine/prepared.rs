@@ -6,9 +6,8 @@ use std::sync::{Arc, OnceLock};
 use asperity_quadrature::Moments;
 
 use crate::engine::averages::{Averages, all_parts};
-use crate::engine::height_integral::HeightIntegral;
+use crate::engine::height_integral::{HeightIntegral, LawUnits};
 use crate::engine::inverse::force_at::Falls;
-use crate::engine::law_units::LawUnits;
 use crate::engine::laws::{Laws, any_load};
 use crate::error::integral_failed;
 use crate::law::contact_radii;

@@ -16,28 +16,22 @@ impl Serialize for Finding {
         map.serialize_entry("value", &self.value)?;
         map.serialize_entry("usual", &self.usual)?;
         map.serialize_entry("message", &self.to_string())?;
-        if !self.unit.is_empty() {
-            map.serialize_entry("unit", self.unit)?;
-        }
-        if let Some(model) = &self.model {
-            map.serialize_entry("model", model)?;
-        }
-        if !self.also.is_empty() {
-            map.serialize_entry("also", &self.also)?;
-        }
-        if let Some(quantity) = &self.quantity {
-            map.serialize_entry("quantity", quantity)?;
-        }
-        if let Some(law) = &self.law {
-            map.serialize_entry("law", law)?;
-        }
-        if let Some(at) = &self.at {
-            map.serialize_entry("at", at)?;
-            map.serialize_entry("count", &self.count)?;
-        }
-        if let Some(origin) = &self.origin {
-            map.serialize_entry("origin", origin)?;
-        }
+        add(&mut map, "unit", Some(self.unit).filter(|unit| !unit.is_empty()))?;
+        add(&mut map, "model", self.model.as_ref())?;
+        add(&mut map, "also", Some(&self.also).filter(|also| !also.is_empty()))?;
+        add(&mut map, "quantity", self.quantity)?;
+        add(&mut map, "law", self.law.as_ref())?;
+        add(&mut map, "at", self.at)?;
+        add(&mut map, "count", self.at.map(|_| self.count))?;
+        add(&mut map, "origin", self.origin.as_ref())?;
         map.end()
     }
+}
+
+fn add<M: SerializeMap>(
+    map: &mut M,
+    key: &str,
+    value: Option<impl Serialize>,
+) -> Result<(), M::Error> {
+    value.map_or(Ok(()), |value| map.serialize_entry(key, &value))
 }

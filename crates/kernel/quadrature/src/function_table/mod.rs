@@ -3,7 +3,6 @@
 mod cell;
 mod series;
 
-use std::fmt;
 use std::sync::{Arc, OnceLock};
 
 use crate::{Estimate, QuadratureError, Sampler};
@@ -21,12 +20,6 @@ type Function = dyn Fn(f64) -> Estimate + Send + Sync;
 pub struct FunctionTable {
     source: Source,
     cells: Box<[OnceLock<Result<PiecewiseSeries, QuadratureError>>]>,
-}
-
-impl fmt::Debug for FunctionTable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("FunctionTable").field("kinks", &self.kinks()).finish_non_exhaustive()
-    }
 }
 
 impl FunctionTable {
