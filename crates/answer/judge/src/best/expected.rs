@@ -2,8 +2,7 @@
 
 use super::candidates::{Candidate, SharedPlace};
 use super::contact::{BestContact, ROUNDED};
-use super::known::{Known, Source};
-use super::model::Answering;
+use super::model::{Answering, Known, Source};
 use crate::evidence::{Compared, Estimate, ExpectedContact};
 use asperity_core::{At, ContactError, short};
 

@@ -1,21 +1,19 @@
 //! Models compared with boundary elements: the table on which advice is based.
 
 mod case;
-mod cholesky;
 mod coordinates;
 mod csv;
 mod expected;
 mod interval;
-mod of_model;
 mod process;
 
 use std::sync::OnceLock;
 
-use coordinates::Coordinates;
+use coordinates::{Coordinates, Ranges};
 use process::Process;
 
-pub(crate) use of_model::Lacking;
-pub use of_model::compile_known;
+pub(crate) use case::Lacking;
+pub use case::compile_known;
 
 pub use crate::evidence::case::{Compared, EvidenceCase, EvidenceRow};
 pub use crate::evidence::coordinates::SurfaceShape;
@@ -33,6 +31,8 @@ pub struct Evidence {
     cases: Vec<EvidenceCase>,
     /// Of the cases, in their order.
     places: Vec<Coordinates>,
+    /// [Their ranges](Coordinates::ranges).
+    ranges: Ranges,
     /// Through the cases, one for each of [`Compared::ALL`], made at first use.
     processes: [OnceLock<Option<Process>>; Compared::ALL.len()],
 }
@@ -99,11 +99,10 @@ impl Evidence {
     }
 
     fn of_cases(cases: Vec<EvidenceCase>) -> Result<Self, ContactError> {
-        Ok(Self {
-            places: cases.iter().map(Coordinates::of_case).collect::<Result<_, _>>()?,
-            processes: Default::default(),
-            cases,
-        })
+        let places = cases.iter().map(Coordinates::of_case);
+        let places: Vec<_> = places.collect::<Result<_, ContactError>>()?;
+        let ranges = Coordinates::ranges(&places);
+        Ok(Self { cases, places, ranges, processes: Default::default() })
     }
 
     /// All cases, ordered by surface, material and load.
