@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use super::adhesion::{Adhesion, ByModel};
-use super::candidates::{OnDemand, Place, SharedPlace};
+use super::candidates::{Adhesion, ByModel, OnDemand, Place, SharedPlace};
 use super::model::{Answering, Best, Known, SolvedContact, Source};
 use crate::evidence::{Compared, Evidence, ExpectedContact};
 use crate::recommended::usual_reference;
@@ -16,8 +15,6 @@ use asperity_core::{
 /// Bound on the relative rounding of an expected value: the covariance of the solved cases has a
 /// condition number of some 1e7.
 pub(super) const ROUNDED: f64 = 1e-9;
-/// Relative error of a pressure that is found.
-pub(super) const FOUND: f64 = 1e-12;
 /// ln p and mean gap \[m\], by ascending pressure.
 pub(super) type Gaps = OnceLock<Vec<[f64; 2]>>;
 /// Places kept.
@@ -128,13 +125,9 @@ impl<M: Answering> BestContact<M> {
             At::Separation(separation) => self.pressure_at(separation),
             _ => given,
         };
-        let expected = pressure.map_or_else(
-            || {
-                let reason = "no solved surface has this mean gap".into();
-                Err(ContactError::NoEvidence { property: "separation", reason })
-            },
-            |pressure| self.expected(pressure),
-        );
+        let reason = || "no solved surface has this mean gap".into();
+        let none = || ContactError::NoEvidence { property: "separation", reason: reason() };
+        let expected = pressure.ok_or_else(none).and_then(|pressure| self.expected(pressure));
         let place = Arc::new(Place { pressure, expected, judged: Default::default() });
         let mut all = kept();
         if all.len() >= MOST_KEPT {
@@ -146,9 +139,8 @@ impl<M: Answering> BestContact<M> {
 
     fn expected(&self, pressure: f64) -> Result<ExpectedContact, ContactError> {
         let mut found = self.expected_of(&Compared::ALL, pressure, self.contacts(pressure))?;
-        if let Some(reason) =
-            self.adhesion.as_ref().and_then(|adhesion| adhesion.effect_on_area(pressure))
-        {
+        let effect = self.adhesion.as_ref().and_then(|adhesion| adhesion.effect_on_area(pressure));
+        if let Some(reason) = effect {
             found.values.iter_mut().for_each(|(_, one)| (one.ends, one.presumed) = (None, None));
             found.outside = Some((Self::ADHESION, reason));
         }
@@ -244,7 +236,7 @@ impl<M: Answering> BestContact<M> {
             return Ok(Evaluation::new(load, 0.0));
         }
         if let Some(pressure) = self.place(at).pressure {
-            return Ok(Evaluation::new(pressure * self.scene.nominal_area, FOUND.max(ROUNDED)));
+            return Ok(Evaluation::new(pressure * self.scene.nominal_area, ROUNDED));
         }
         let valid = self.first(Compared::Area, at)?;
         valid.0.force(at)

@@ -1,12 +1,10 @@
 //! What is known best about a scene at a load: the one decision behind everything that is printed,
 //! drawn, exported or handed over.
 
-mod adhesion;
 mod candidates;
 mod choice;
 mod contact;
 mod expected;
-mod load;
 mod model;
 mod notes;
 

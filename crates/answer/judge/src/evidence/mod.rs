@@ -2,7 +2,6 @@
 
 mod case;
 mod coordinates;
-mod csv;
 mod expected;
 mod interval;
 mod process;
@@ -49,7 +48,7 @@ impl Evidence {
     /// Columns of the cases and of boundary elements: means over the surfaces and their standard
     /// errors. Stiffnesses -dp/d(gap) are in units of E/√m₀, mean gaps in √m₀: distances of the
     /// mean planes, as the separations of models are, with the gaps of plastic pixels below 0.
-    pub const COLUMNS: &'static str = csv::COLUMNS;
+    pub const COLUMNS: &'static str = case::COLUMNS;
 
     /// Hurst exponent of the spectra of the solved surfaces.
     pub const HURST: f64 = 0.8;
@@ -61,8 +60,8 @@ impl Evidence {
     #[must_use]
     pub fn relative(quantity: Compared, model: f64, bem: f64) -> f64 {
         match quantity {
-            Compared::MeanGap => (model - bem) / csv::UNIT,
-            _ => model / bem / csv::UNIT,
+            Compared::MeanGap => (model - bem) / case::UNIT,
+            _ => model / bem / case::UNIT,
         }
     }
 
@@ -95,7 +94,7 @@ impl Evidence {
     /// [`ContactError::Refused`] with line, column and content of the first invalid field, or if
     /// there are no cases.
     pub fn parse(text: &str) -> Result<Self, ContactError> {
-        Self::of_cases(csv::cases(text)?)
+        Self::of_cases(case::cases(text)?)
     }
 
     fn of_cases(cases: Vec<EvidenceCase>) -> Result<Self, ContactError> {
