@@ -189,17 +189,10 @@ pub enum ContactError {
 }
 
 fn reach(load: f64, largest: f64, at: At) -> String {
+    let (most, at) = (short(largest), at.rounded());
     match (load < 0.0, largest < 0.0) {
-        (false, _) => {
-            format!(
-                ", above {} N, the largest force of the model, at {}",
-                short(largest),
-                at.rounded()
-            )
-        }
-        (true, true) => {
-            format!(": the surfaces pull off at {} N, at {}", short(largest), at.rounded())
-        }
+        (false, _) => format!(", above {most} N, the largest force of the model, at {at}"),
+        (true, true) => format!(": the surfaces pull off at {most} N, at {at}"),
         // The tension is so large that the search ends where no asperity touches.
         (true, false) => ": a smaller tension, or a load above 0, was required".into(),
     }

@@ -30,7 +30,7 @@ mod units;
 #[doc(hidden)]
 pub use asperity_quadrature::{Density, Moments, Piece};
 pub use asperity_quadrature::{QuadratureError, Sampler};
-pub use engine::compile::contact_of_laws;
+pub use engine::contact::contact_of_laws;
 #[doc(hidden)]
 pub use engine::parallel::map_runs;
 pub use engine::sweep::{Case, Sweep};
@@ -44,9 +44,8 @@ pub use heights::table::TabulatedHeights;
 pub use heights::weibull::WeibullHeights;
 pub use law::formula::{Formula, FunctionKey, Power};
 pub use law::{Law, Part, Regime, ShareParts, testkit};
-pub use model::asperity_model::AsperityModel;
 pub use model::contact::{Contact, ContactEngine, Interval};
-pub use model::contact_model::{ContactModel, SumOfContacts};
+pub use model::contact_model::{AsperityModel, ContactModel, SumOfContacts};
 pub use model::described::{Citation, Described, KnownDefect, Provenance, Validity, Wraps};
 pub use model::variant::Variant;
 pub use request::quantity_table::Quantity;

@@ -6,8 +6,7 @@ use asperity_core::{
     Variant, Wraps, require,
 };
 
-use crate::average::Average;
-use crate::population::Population;
+use crate::average::{Average, Population};
 
 /// The largest separation from the surface's mean plane, in √m₀.
 pub const FARTHEST: f64 = 6.0;

@@ -32,9 +32,9 @@ pub(crate) fn behind<'s>(
     quantity: Quantity,
     at: At,
 ) -> Option<f64> {
-    averages.laws().are_signed().then_some(())?;
+    averages.laws().laws.iter().find(|(_, law)| law.is_signed())?;
     let mut row = RowIntegrals::<_>::new(averages, &[quantity], &at).ok()?;
-    Some(row.unchecked(quantity).ok()?.value())
+    Some(row.quantity(quantity).ok()?.value())
 }
 
 /// The share of every part in a quantity that follows from a single law.
@@ -44,7 +44,6 @@ pub(crate) fn shares_at<'s>(
     quantity: Quantity,
     at: &At,
 ) -> Result<Vec<Share>, ContactError> {
-    averages.check_requested(quantity)?;
     let mut laws = quantity.laws(facts.laws.own_stiffness);
     let (Some(base), None) = (laws.next(), laws.next()) else {
         let what = format!("shares of regimes in the {quantity}");
@@ -84,7 +83,7 @@ pub(crate) fn columns(
         }
         for at in run {
             let mut averages = prepared;
-            let row = answers(&mut averages, quantities, at);
+            let row = answers(&mut averages, quantities, at, |q| prepared.facts.check_requested(q));
             add_row(&mut columns, row, separation_at(&mut averages, at));
         }
     }

@@ -70,33 +70,26 @@ impl<'a, 's: 'a, A: Averages<'s>, const MEMORY: usize> RowIntegrals<'a, A, MEMOR
         Self { point, integrals }
     }
 
-    /// One quantity.
-    #[inline]
-    pub(crate) fn quantity(&mut self, quantity: Quantity) -> Result<Evaluation, ContactError> {
-        self.integrals.averages.check_requested(quantity)?;
-        self.unchecked(quantity)
-    }
-
     /// One quantity, whether or not it was requested.
     #[inline]
-    pub(crate) fn unchecked(&mut self, quantity: Quantity) -> Result<Evaluation, ContactError> {
+    pub(crate) fn quantity(&mut self, quantity: Quantity) -> Result<Evaluation, ContactError> {
         self.point.of(quantity, &mut self.integrals)
     }
 }
 
-/// The quantities of one row.
+/// The quantities of one row, each if `check` allows it.
 pub(crate) fn answers<'s>(
     averages: &mut impl Averages<'s>,
     quantities: &[Quantity],
     at: &At,
+    check: impl Fn(Quantity) -> Result<(), ContactError>,
 ) -> Vec<Answered> {
-    match RowIntegrals::<_, LAWS>::new(averages, quantities, at) {
-        Ok(mut row) => quantities.iter().map(|q| row.quantity(*q).map_err(Box::new)).collect(),
-        Err(error) => {
-            let refused = |q: &Quantity| averages.check_requested(*q).err();
-            quantities.iter().map(|q| Err(Box::new(refused(q).unwrap_or(error.clone())))).collect()
-        }
-    }
+    let mut row = RowIntegrals::<_, LAWS>::new(averages, quantities, at);
+    let mut one = |quantity| {
+        check(quantity)?;
+        row.as_mut().map_err(|error| error.clone())?.quantity(quantity)
+    };
+    quantities.iter().map(|quantity| one(*quantity).map_err(Box::new)).collect()
 }
 
 impl<A, const MEMORY: usize> IntegralsAt<'_, A, MEMORY> {

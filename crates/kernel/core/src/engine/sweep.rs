@@ -4,11 +4,10 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use crate::engine::averages::separation_at;
-use crate::engine::case_integrals::CaseIntegrals;
+use crate::engine::case_integrals::{CaseIntegrals, RecentShapes, Shapes};
 use crate::engine::laws::{Laws, any_load};
 use crate::engine::parallel::map_runs;
 use crate::engine::row_integrals::RowIntegrals;
-use crate::engine::shapes::{RecentShapes, Shapes};
 use crate::{
     At, Contact, ContactError, ContactModel, Evaluation, Quantity, Request, Scene, Tolerance,
 };

@@ -1,7 +1,6 @@
 //! A costly function of x > 0, tabulated once as Chebyshev series between its kinks.
 
 mod cell;
-mod series;
 
 use std::sync::{Arc, OnceLock};
 

@@ -1,7 +1,7 @@
 //! One cell of an integral over a weight: Chebyshev series in d.
 
 use super::integral::SCALED;
-use super::sums::Sums;
+use super::integrand::Sums;
 use crate::Moments;
 use crate::chebyshev::{chebyshev_sum, chebyshev_terms};
 

@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::cell::{Map, Sample, Series, TERMS, ln_size};
 use super::integral::Overlap;
-use super::sums::Sums;
+use super::integrand::Sums;
 use super::weight::Weight;
 use crate::chebyshev::chebyshev_roots;
 use crate::{Moments, QuadratureError};

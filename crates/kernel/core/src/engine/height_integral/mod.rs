@@ -1,6 +1,5 @@
 //! I(s) = ∫ q(w) g(d + w) dw, d = s σ_z, for each kind of heights g.
 
-mod exponential;
 mod overlap;
 mod slope;
 
@@ -12,8 +11,7 @@ use asperity_quadrature::{
 
 use crate::error::require;
 use crate::{ContactError, HeightDistribution, Law, Quantity, Scene};
-use exponential::{EXPONENTIAL, Exponential};
-use overlap::{Extent, Other, OverlapIntegral};
+use overlap::{EXPONENTIAL, Exponential, Extent, Other, OverlapIntegral};
 
 use slope::FINER_BELOW;
 pub(crate) use slope::{SLOPES_CANCEL, with_slope_within};

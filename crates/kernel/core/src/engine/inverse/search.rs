@@ -3,9 +3,9 @@
 use asperity_quadrature::{bracketed_root, fallible};
 
 use crate::ContactError;
-use crate::engine::inverse::ALL_TOUCH;
 use crate::engine::inverse::force_at::{ForceAt, Landmark};
 use crate::engine::inverse::interval::{Course, Interval, Level, Sample};
+use crate::engine::inverse::{ALL_TOUCH, unresolved};
 use crate::scene::place::{HIGHEST, LOWEST};
 
 /// Separations at which a search gives up.
@@ -211,10 +211,6 @@ impl ForceAt<'_> {
         }
         Err(unresolved(LOWEST, HIGHEST))
     }
-}
-
-pub(crate) fn unresolved(from: f64, to: f64) -> ContactError {
-    ContactError::Unresolved { from: from.into(), to: to.into() }
 }
 
 /// The one whose force times `sign` is larger.
