@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 use asperity::{
-    AngleDensity, Asperity, AsperityModel, At, Case, Check, Contact, ContactError, ContactModel,
-    Formula, HeightDistribution, Law, Model, ObliqueContact, Power, Quantity, Request, Scene,
-    Sweep, Tolerance, angle_average,
+    AngleDensity, Asperities, Asperity, AsperityModel, At, Case, Check, Contact, ContactError,
+    ContactModel, Formula, HeightDistribution, Law, Model, ObliqueContact, Power, Quantity,
+    Request, Scene, Sweep, Tolerance, angle_average,
 };
 
 use crate::scenes::{described, named, with_index};
@@ -344,7 +344,7 @@ fn the_law_of_pairs_samples_a_function_about_as_often() {
         [false, true].map(|pairs| {
             let spy = Spy::default();
             let own = Model::new(spy.clone());
-            let model = if pairs { own.pairs() } else { own };
+            let model = if pairs { own.on(Asperities::Pairs) } else { own };
             let request = Request::new([Quantity::Force]).at([1.0]);
             let contact =
                 if alone { model.contact(scene, &request) } else { model.compile(scene, &request) };

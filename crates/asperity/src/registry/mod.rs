@@ -89,8 +89,9 @@ impl Model {
     /// use asperity::{Asperities, ContactModel, Model};
     ///
     /// let ke: Model = "ke".parse()?;
-    /// assert_eq!((ke.random().id(), ke.random().name()), ("ke-random", "KE random"));
-    /// assert_eq!(ke.random().on(Asperities::Pairs).id(), ke.pairs().id());
+    /// let random = ke.on(Asperities::Random);
+    /// assert_eq!((random.id(), random.name()), ("ke-random", "KE random"));
+    /// assert_eq!(random.on(Asperities::Pairs).id(), "ke-pairs");
     /// # Ok::<(), asperity::ContactError>(())
     /// ```
     #[must_use]
@@ -105,19 +106,6 @@ impl Model {
         let rearranged = || Arc::new(Rearranged { equal: equal.clone(), asperities }) as Arc<_>;
         let known = equal.known.is_some().then(rearranged);
         Self { model, known, asperities, equal: Some(equal) }
-    }
-
-    /// The same laws on the asperities of a random surface, whose heights and radii are spread
-    /// together.
-    #[must_use]
-    pub fn random(&self) -> Self {
-        self.on(Asperities::Random)
-    }
-
-    /// The same laws between the asperities of two rough surfaces.
-    #[must_use]
-    pub fn pairs(&self) -> Self {
-        self.on(Asperities::Pairs)
     }
 
     /// The asperities that it is for.
@@ -333,7 +321,7 @@ mod tests {
         let force = |model: &Model| {
             model.solve(&scene, &request).unwrap().values(Quantity::Force).unwrap()[0]
         };
-        let own = Model::new(GreenwoodWilliamson).pairs();
+        let own = Model::new(GreenwoodWilliamson).on(Asperities::Pairs);
         assert_eq!((own.id(), own.asperities()), ("gw-pairs", Asperities::Pairs));
         let known: Model = "GT".parse().unwrap();
         assert!((force(&own) / force(&known) - 1.0).abs() < 1e-15);

@@ -284,7 +284,6 @@ fn what_was_solved_on_the_scan_is_an_input_of_the_answer() {
     }
     let few = solved(Some("too few patches"));
     assert_eq!(few.known(Compared::Area, at).unwrap().source, Source::Evidence);
-    assert_eq!(few.not_used(at), Some("too few patches"));
     let noted = |best: &BestContact<Model>| {
         best.notes(&[at]).iter().any(|note| note.code == Code::SolutionNotUsed)
     };

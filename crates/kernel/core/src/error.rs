@@ -189,17 +189,10 @@ pub enum ContactError {
 }
 
 fn reach(load: f64, largest: f64, at: At) -> String {
+    let (most, at) = (short(largest), at.rounded());
     match (load < 0.0, largest < 0.0) {
-        (false, _) => {
-            format!(
-                ", above {} N, the largest force of the model, at {}",
-                short(largest),
-                at.rounded()
-            )
-        }
-        (true, true) => {
-            format!(": the surfaces pull off at {} N, at {}", short(largest), at.rounded())
-        }
+        (false, _) => format!(", above {most} N, the largest force of the model, at {at}"),
+        (true, true) => format!(": the surfaces pull off at {most} N, at {at}"),
         // The tension is so large that the search ends where no asperity touches.
         (true, false) => ": a smaller tension, or a load above 0, was required".into(),
     }
@@ -220,8 +213,11 @@ pub fn positive(field: &'static str, value: f64) -> Result<f64, ContactError> {
     require(value.is_finite() && value > 0.0, field, value, "a finite number above 0")
 }
 
-/// `value` if it `holds` what was `required`; otherwise [`ContactError::OutOfRange`].
-pub(crate) fn require(
+/// `value` if it `holds` what was `required`.
+///
+/// # Errors
+/// [`ContactError::OutOfRange`] naming the field.
+pub fn require(
     holds: bool,
     field: &'static str,
     value: f64,

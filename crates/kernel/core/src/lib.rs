@@ -30,13 +30,13 @@ mod units;
 #[doc(hidden)]
 pub use asperity_quadrature::{Density, Moments, Piece};
 pub use asperity_quadrature::{QuadratureError, Sampler};
-pub use engine::compile::{compile_laws, contact_of_laws};
+pub use engine::contact::contact_of_laws;
 #[doc(hidden)]
 pub use engine::parallel::map_runs;
 pub use engine::sweep::{Case, Sweep};
 pub use error::ContactError;
 #[doc(hidden)]
-pub use error::{integral_failed, positive};
+pub use error::{integral_failed, positive, require};
 pub use finding::{Advice, Code, Finding, Findings, Severity};
 pub use heights::HeightDistribution;
 pub use heights::other::{Heights, OtherHeights};
@@ -44,15 +44,13 @@ pub use heights::table::TabulatedHeights;
 pub use heights::weibull::WeibullHeights;
 pub use law::formula::{Formula, FunctionKey, Power};
 pub use law::{Law, Part, Regime, ShareParts, testkit};
-pub use model::asperity_model::AsperityModel;
 pub use model::contact::{Contact, ContactEngine, Interval};
-pub use model::contact_model::{ContactModel, SumOfContacts};
+pub use model::contact_model::{AsperityModel, ContactModel, SumOfContacts};
 pub use model::described::{Citation, Described, KnownDefect, Provenance, Validity, Wraps};
 pub use model::variant::Variant;
 pub use request::quantity_table::Quantity;
 pub use request::separation::{At, Datum, Separation, SeparationUnit};
-pub use request::tolerance::Tolerance;
-pub use request::{Request, linspace};
+pub use request::{Request, Tolerance, linspace};
 pub use response::evaluation::{Evaluation, Share};
 pub use response::fill::FillReport;
 pub use response::plan::{Plan, PlannedPart, Step};

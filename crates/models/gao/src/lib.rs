@@ -1,7 +1,6 @@
 #![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 
-mod angles;
 mod average;
 mod azimuth;
 mod gauss;
@@ -18,11 +17,10 @@ use asperity_core::{
 };
 use serde::{Deserialize, Serialize};
 
-pub use angles::AngleDensity;
 pub use average::{angle_average, angle_average_of_powers};
 pub use lateral::{Lateral, LateralLaw, lateral_validity};
 pub use oblique::ObliqueContact;
-pub use options::{Displacement, ForceComponent, LateralOptions, Stick};
+pub use options::{AngleDensity, Displacement, ForceComponent, LateralOptions, Stick};
 pub use pieces::{ELASTIC_END, NormalLaw, PLASTIC_FROM, friction, regime_range};
 pub use slip::{ObliqueSlip, Response};
 

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Power, Provenance,
-    Tolerance, Validity,
+    Tolerance, Validity, require,
 };
 use serde::{Deserialize, Serialize};
 
@@ -52,11 +52,8 @@ impl FittedLaw {
         })?;
         let c = 1.295 * (0.736 * asperity.poissons_ratio).exp();
         let strain = 0.5 * PI * c * strength / modulus;
-        if strain >= 1.0 {
-            let required = "a yield strength below 2E/(pi C), so that the interference at first yield is smaller than the radius,";
-            let (field, value) = ("yield_strength", strength);
-            return Err(ContactError::OutOfRange { field, value, required });
-        }
+        let required = "a yield strength below 2E/(pi C), so that the interference at first yield is smaller than the radius,";
+        require(strain < 1.0, "yield_strength", strength, required)?;
         let youngs_modulus = 2.0 * (1.0 - asperity.poissons_ratio.powi(2)) * modulus;
         Ok(Self {
             c,

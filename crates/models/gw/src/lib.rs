@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Evaluation, Law, Power, Provenance,
-    Quantity, Tolerance, Validity,
+    Quantity, Tolerance, Validity, integral_failed, require,
 };
 use asperity_quadrature::ShiftedGaussian;
 use serde::{Deserialize, Serialize};
@@ -70,19 +70,11 @@ impl AsperityModel for GreenwoodWilliamson {
 /// # Errors
 /// [`ContactError::OutOfRange`] naming `order` or `separation`.
 pub fn greenwood_integral(order: f64, separation: f64) -> Result<Evaluation, ContactError> {
-    if !(0.0..=10.0).contains(&order) {
-        let required = "a number from 0 to 10";
-        return Err(ContactError::OutOfRange { field: "order", value: order, required });
-    }
-    if !(-1e6..=1e9).contains(&separation) {
-        let required = "a number from -1e6 to 1e9";
-        return Err(ContactError::OutOfRange { field: "separation", value: separation, required });
-    }
+    require((0.0..=10.0).contains(&order), "order", order, "a number from 0 to 10")?;
+    let inside = (-1e6..=1e9).contains(&separation);
+    require(inside, "separation", separation, "a number from -1e6 to 1e9")?;
     let density = Law::in_units(1.0, 1.0).elastic(ALL, [Power::new(1.0, order)]).density();
     let integral = ShiftedGaussian::new(density, 1.0, 1e-14);
-    let failed = |source| {
-        let (quantity, at) = (Quantity::Force, separation.into());
-        ContactError::Integral { quantity, at, source }
-    };
-    Ok(integral.at(separation).map_err(failed)?.into())
+    let found = integral.at(separation);
+    Ok(found.map_err(integral_failed(Quantity::Force, &separation.into()))?.into())
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Power, Provenance,
-    QuadratureError, Sampler, Tolerance, Validity,
+    QuadratureError, Sampler, Tolerance, Validity, require,
 };
 use serde::{Deserialize, Serialize};
 
@@ -145,23 +145,14 @@ impl Sampler for ForceFit {
 /// Largest |d ln H_G/d ln(a/R)|: 0.7 for the hardness of 2005, 1.2 for the cosine.
 const STEEPEST: f64 = 1.2;
 
-impl From<AreaFit> for Formula {
-    fn from(fit: AreaFit) -> Self {
-        let key = vec![fit.b];
-        Self::sampled(Arc::new(fit)).known_as("JG area", key)
-    }
-}
-
 /// C, the strain √(w_c'/R) = π C S_y/(2E), and the exponent B of the area.
 fn constants(asperity: &Asperity) -> Result<[f64; 3], ContactError> {
     let c = 1.295 * (0.736 * asperity.poissons_ratio).exp();
     let value = asperity.yield_strength()?;
     let strain = 0.5 * PI * c * value / asperity.equivalent_modulus;
-    if strain < 1.0 {
-        return Ok([c, strain, area_exponent(asperity)?]);
-    }
     let required = "a yield strength below 2E/(pi C), so that the critical interference is smaller than the radius,";
-    Err(ContactError::OutOfRange { field: "yield_strength", value, required })
+    require(strain < 1.0, "yield_strength", value, required)?;
+    Ok([c, strain, area_exponent(asperity)?])
 }
 
 impl Described for JacksonGreen {
@@ -220,8 +211,10 @@ impl AsperityModel for JacksonGreen {
         let error = area_exponent_error(asperity, b)?;
         // A/A_c' = x; x (x/1.9)^B
         let power = [Power::new(ELASTIC_END.powf(-b), 1.0 + b)];
-        let fit: Formula =
-            if error > ROUNDING { AreaFit { b, error }.into() } else { power.into() };
+        let fit = match error > ROUNDING {
+            true => Formula::sampled(Arc::new(AreaFit { b, error })).known_as("JG area", vec![b]),
+            false => power.into(),
+        };
         let unit = strain * strain * asperity.radius;
         Ok(Law::in_units(unit, PI * asperity.radius * unit)
             .elastic(0.0..ELASTIC_END, [Power::new(1.0, 1.0)])

@@ -2,9 +2,8 @@
 
 use asperity_core::{
     At, ContactEngine, ContactError, Datum, Described, Evaluation, Quantity, Scene, Separation,
-    SeparationUnit, positive, short,
+    SeparationUnit, integral_failed, positive, require, short,
 };
-use asperity_quadrature::QuadratureError;
 
 use crate::gap::{self, Gap, LN_PRESSURES};
 use crate::inverse::{Found, Inverse};
@@ -73,7 +72,7 @@ impl OnScene {
         let (gap, at) = (self.gap()?, At::Separation(separation));
         // A logarithm follows.
         let wanted = positive(field, wanted)?;
-        let failed = integral(Quantity::Pressure, at);
+        let failed = integral_failed(Quantity::Pressure, &at);
         let required = match self.inverse.find(&gap, wanted.ln()).map_err(failed)? {
             Found::At(ln_b, slope) => {
                 let pressure = ln_b.exp() * std::f64::consts::SQRT_2 * self.pressure_std;
@@ -99,10 +98,6 @@ fn is_known(quantity: Quantity) -> bool {
 fn is_known_plastic(quantity: Quantity) -> bool {
     matches!(quantity, Quantity::ElasticShare | Quantity::PlasticShare)
         || quantity.follows_from_totals()
-}
-
-fn integral(quantity: Quantity, at: At) -> impl Fn(QuadratureError) -> ContactError {
-    move |source| ContactError::Integral { quantity, at, source }
 }
 
 impl ContactEngine for OnScene {
@@ -135,7 +130,7 @@ impl ContactEngine for OnScene {
         };
         let found = if is_slope(quantity) {
             let (fall, ln_scale) =
-                self.gap()?.fall(self.reduced(pressure)).map_err(integral(quantity, at))?;
+                self.gap()?.fall(self.reduced(pressure)).map_err(integral_failed(quantity, &at))?;
             // dF/du = A p/(du/d ln p); the exponent has the error of b².
             let stiffness = pressure * nominal / fall * (-ln_scale).exp();
             let error = gap::ERROR + error * (2.0 - 2.0 * ln_scale);
@@ -167,12 +162,10 @@ impl ContactEngine for OnScene {
     /// The mean gap, from the mean plane of the surface.
     fn separations_at(&self, load: f64) -> Result<Vec<Separation>, ContactError> {
         let b = self.reduced(positive("load", load)? / self.scene.nominal_area);
-        let (failed, gap) = (integral(Quantity::Force, At::Load(load)), self.gap()?);
-        if b.ln() > LN_PRESSURES[1] {
-            let required = "at most 17 E g on the nominal area, where the mean gap vanishes,";
-            return Err(ContactError::OutOfRange { field: "load", value: load, required });
-        }
-        let gap = gap.mean_gap(b).map_err(failed)?;
+        let (gap, at) = (self.gap()?, At::Load(load));
+        let required = "at most 17 E g on the nominal area, where the mean gap vanishes,";
+        require(b.ln() <= LN_PRESSURES[1], "load", load, required)?;
+        let gap = gap.mean_gap(b).map_err(integral_failed(Quantity::Force, &at))?;
         Ok(vec![Separation::metres(gap).from_surface_mean()])
     }
 }

@@ -1,6 +1,6 @@
 //! The spectrum of a surface: the wave number as a function of the gradient reached there.
 
-use asperity_core::{ContactError, ProfileMoments};
+use asperity_core::{ContactError, ProfileMoments, positive, require};
 use asperity_quadrature::{bracketed_root, legendre};
 
 /// Points of the quadrature rule between two ends; 12 would suffice for panels of this length.
@@ -94,11 +94,8 @@ impl Spectrum {
     /// # Errors
     /// [`ContactError::OutOfRange`] for a Hurst exponent outside 0.1 to 1.
     pub fn check_hurst(hurst_exponent: f64) -> Result<(), ContactError> {
-        if (0.1..=1.0).contains(&hurst_exponent) {
-            return Ok(());
-        }
-        let (field, required) = ("hurst_exponent", "a number from 0.1 to 1");
-        Err(ContactError::OutOfRange { field, value: hurst_exponent, required })
+        let holds = (0.1..=1.0).contains(&hurst_exponent);
+        require(holds, "hurst_exponent", hurst_exponent, "a number from 0.1 to 1").map(drop)
     }
 
     /// The spectrum of waves with these wave numbers \[1/m\] and mean square heights \[m²\], in any
@@ -110,16 +107,14 @@ impl Spectrum {
     pub fn of_waves(waves: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, ContactError> {
         let mut waves: Vec<(f64, f64)> = waves.into_iter().collect();
         for (q, square) in &waves {
-            asperity_core::positive("wave number", *q)?;
-            if !(*square >= 0.0 && square.is_finite()) {
-                let (field, required) =
-                    ("mean square height of a wave", "a finite number, at least 0,");
-                return Err(ContactError::OutOfRange { field, value: *square, required });
-            }
+            positive("wave number", *q)?;
+            let (holds, field) =
+                (*square >= 0.0 && square.is_finite(), "mean square height of a wave");
+            require(holds, field, *square, "a finite number, at least 0,")?;
         }
         waves.sort_by(|a, b| a.0.total_cmp(&b.0));
         let total: f64 = waves.iter().map(|(q, square)| q * q * square).sum();
-        asperity_core::positive("mean square gradient", total)?;
+        positive("mean square gradient", total)?;
         let (mut ends, mut rings) = (vec![0.0], vec![]);
         let (mut squares, mut up_to) = (0.0, 0.0);
         let mut left = &waves[..];

@@ -1,13 +1,12 @@
 //! A law of one asperity on a random surface, as a contact model.
 
 use asperity_core::{
-    At, Contact, ContactEngine, ContactError, ContactModel, Datum, Described, Evaluation, Finding,
-    Part, QuadratureError, Quantity, Request, Scene, Separation, SeparationUnit, Share, Tolerance,
-    Variant, Wraps,
+    At, Contact, ContactEngine, ContactError, ContactModel, Datum, Described, Evaluation, Part,
+    QuadratureError, Quantity, Request, Scene, Separation, SeparationUnit, Share, Tolerance,
+    Variant, Wraps, require,
 };
 
-use crate::average::Average;
-use crate::population::Population;
+use crate::average::{Average, Population};
 
 /// The largest separation from the surface's mean plane, in √m₀.
 pub const FARTHEST: f64 = 6.0;
@@ -111,11 +110,8 @@ impl OnScene {
     /// Refuses heights above the mean plane \[m\] beyond the range of the averaged law.
     fn check(&self, height: f64) -> Result<(), ContactError> {
         let value = height / self.population.surface_std;
-        if value <= FARTHEST {
-            return Ok(());
-        }
         let field = "separation from the surface's mean plane over sqrt(m0)";
-        Err(ContactError::OutOfRange { field, value, required: "at most 6" })
+        require(value <= FARTHEST, field, value, "at most 6").map(drop)
     }
 }
 
@@ -130,10 +126,6 @@ impl ContactEngine for OnScene {
 
     fn quantities(&self) -> &[Quantity] {
         self.averaged.quantities()
-    }
-
-    fn notes(&self, at: &[At]) -> Vec<Finding> {
-        self.averaged.notes(at)
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {

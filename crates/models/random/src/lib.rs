@@ -3,7 +3,6 @@
 mod average;
 mod contact;
 mod kernel;
-mod population;
 #[cfg(test)]
 mod tests;
 

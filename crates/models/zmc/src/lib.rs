@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use asperity_core::{
     Asperity, AsperityModel, Citation, ContactError, Described, Formula, Law, Power, Provenance,
-    Tolerance, Validity,
+    Tolerance, Validity, require,
 };
 use serde::{Deserialize, Serialize};
 
@@ -51,12 +51,10 @@ fn pressure(x: f64) -> f64 {
 fn first_yield(asperity: &Asperity) -> Result<f64, ContactError> {
     let value = asperity.hardness()?;
     let strain = 0.75 * PI * YIELD_PRESSURE * value / asperity.equivalent_modulus;
-    if strain < 1.0 {
-        return Ok(strain * strain * asperity.radius);
-    }
     let required =
         "a hardness below 4E/(3 pi 0.4), so that yield begins below an interference of one radius,";
-    Err(ContactError::OutOfRange { field: "hardness", value, required })
+    require(strain < 1.0, "hardness", value, required)?;
+    Ok(strain * strain * asperity.radius)
 }
 
 impl Described for ZhaoMaiettaChang {

@@ -3,11 +3,11 @@
 use std::sync::{Arc, OnceLock};
 
 use super::model::Answering;
-use crate::check::Check;
+use crate::check::{Check, LEAST_TABOR, MOST_TABOR};
 use crate::evidence::{Compared, ExpectedContact, Lacking, compile_known};
-use crate::recommended::usual_reference;
+use crate::recommended::{DMT, JKR};
 use asperity_core::{
-    At, Code, Contact, ContactError, Evaluation, Finding, Quantity, Request, Scene, Severity,
+    At, Code, Contact, ContactError, Evaluation, Finding, Quantity, Request, Scene, Severity, short,
 };
 
 /// A model on the scene of an answer.
@@ -113,22 +113,56 @@ impl Place {
 /// Shared, as several quantities are asked for at a place.
 pub(super) type SharedPlace = Arc<Place>;
 
-/// Counts the asperities in contact at a load. Counts of models differ, by orders of magnitude with
-/// rough asperities on asperities, and the scatter of a surface does not depend on the model.
-#[derive(Debug)]
-pub(super) struct Counted(Option<Box<dyn Contact>>);
+/// The model without adhesion that both extend.
+const PLAIN: &str = "gw";
+/// A relative change of the area that intervals do not count.
+const MATTERS: f64 = 0.05;
 
-impl Counted {
-    /// By the usual reference of the scene.
-    pub(super) fn on<M: Answering>(scene: &Scene) -> Result<Self, ContactError> {
+/// A quantity of a scene by one model.
+#[derive(Debug)]
+pub(super) struct ByModel {
+    contact: Box<dyn Contact>,
+    quantity: Quantity,
+}
+
+impl ByModel {
+    /// None where the model refuses the scene.
+    pub(super) fn new<M: Answering>(id: &str, quantity: Quantity, scene: &Scene) -> Option<Self> {
         // With the force law, which finds the separation of a load.
-        let asked = Request::new([Quantity::Contacts]).at([At::Pressure(1.0)]);
-        Ok(Self(usual_reference(scene).parse::<M>()?.contact(scene, &asked).ok()))
+        let asked = Request::new([quantity]).at([At::Pressure(1.0)]);
+        Some(Self { contact: id.parse::<M>().ok()?.contact(scene, &asked).ok()?, quantity })
     }
 
-    /// Contacts at a mean pressure \[Pa\]; `None` if unknown.
+    /// The value at a mean pressure \[Pa\], if it is known.
     pub(super) fn at(&self, pressure: f64) -> Option<f64> {
-        let found = self.0.as_ref()?.evaluate(Quantity::Contacts, At::Pressure(pressure));
-        Some(found.ok()?.value())
+        Some(self.contact.evaluate(self.quantity, At::Pressure(pressure)).ok()?.value())
+    }
+}
+
+/// A model with adhesion beside the same without, on a scene that has a work of adhesion.
+#[derive(Debug)]
+pub(super) struct Adhesion {
+    id: &'static str,
+    adhering: ByModel,
+    plain: ByModel,
+}
+
+impl Adhesion {
+    /// None without a work of adhesion.
+    pub(super) fn on<M: Answering>(scene: &Scene) -> Option<Self> {
+        let tabor = scene.asperity().ok()?.tabor_parameter()?;
+        // Between their limits the nearer model.
+        let id = if tabor * tabor > LEAST_TABOR * MOST_TABOR { JKR } else { DMT };
+        let area = |id| ByModel::new::<M>(id, Quantity::Area, scene);
+        Some(Self { id, adhering: area(id)?, plain: area(PLAIN)? })
+    }
+
+    /// By how much it changes the area at a mean pressure \[Pa\], if that matters.
+    pub(super) fn effect_on_area(&self, pressure: f64) -> Option<String> {
+        let ratio = self.adhering.at(pressure)? / self.plain.at(pressure)?;
+        let (times, id) = (short(ratio), self.id);
+        let text =
+            format!("adhesion, which is left out, makes the area {times} times as large by {id}");
+        ((ratio - 1.0).abs() > MATTERS).then_some(text)
     }
 }

@@ -73,19 +73,17 @@ impl<M: Answering> BestContact<M> {
         let (mut invalid, mut refused, mut failed) = (None, None, None);
         // An area carries the hardness at most, to the error of a model by one per cent.
         let hardness = self.scene.asperity()?.hardness;
-        let carried = hardness.zip(at.pressure(&self.scene));
-        let least = carried.map_or(0.0, |(hardness, pressure)| 0.99 * pressure / hardness);
+        let carried = hardness.zip(at.pressure(&self.scene)).map_or(0.0, |(h, p)| 0.99 * p / h);
+        let (least, name, limit) = match of {
+            Compared::MeanGap => (0.0, "mean gap", "0"),
+            Compared::Area => (carried, "area", "load over hardness"),
+            _ => (f64::NEG_INFINITY, "", ""),
+        };
         for (one, judged) in self.candidates(&place.judged, at) {
             match (one.value(of, at), &judged.outside) {
-                (Ok(gap), _) if of == Compared::MeanGap && gap < 0.0 => {
+                (Ok(value), _) if value < least => {
                     let id = one.model.id();
-                    let why = format!("the mean gap by {id} is below 0, which cannot be");
-                    refused.get_or_insert_with(|| self.refused(why));
-                }
-                (Ok(area), _) if of == Compared::Area && area < least => {
-                    let id = one.model.id();
-                    let why =
-                        format!("the area by {id} is below load over hardness, which cannot be");
+                    let why = format!("the {name} by {id} is below {limit}, which cannot be");
                     refused.get_or_insert_with(|| self.refused(why));
                 }
                 (Ok(value), None) => return Ok((one, value, None)),

@@ -3,11 +3,10 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use super::adhesion::Adhesion;
-use super::candidates::{Counted, OnDemand, Place, SharedPlace};
-use super::known::{Known, Source};
-use super::model::{Answering, Best, SolvedContact};
+use super::candidates::{Adhesion, ByModel, OnDemand, Place, SharedPlace};
+use super::model::{Answering, Best, Known, SolvedContact, Source};
 use crate::evidence::{Compared, Evidence, ExpectedContact};
+use crate::recommended::usual_reference;
 use asperity_core::{
     At, Code, Contact, ContactEngine, ContactError, ContactModel, Datum, Evaluation, Finding,
     Interval, Quantity, Request, Scene, Separation, SeparationUnit, Tolerance, short,
@@ -16,8 +15,6 @@ use asperity_core::{
 /// Bound on the relative rounding of an expected value: the covariance of the solved cases has a
 /// condition number of some 1e7.
 pub(super) const ROUNDED: f64 = 1e-9;
-/// Relative error of a pressure that is found.
-pub(super) const FOUND: f64 = 1e-12;
 /// ln p and mean gap \[m\], by ascending pressure.
 pub(super) type Gaps = OnceLock<Vec<[f64; 2]>>;
 /// Places kept.
@@ -35,7 +32,10 @@ pub struct BestContact<M> {
     pub(super) request: Request,
     /// What was asked for, and that by which answers are judged.
     quantities: Vec<Quantity>,
-    counted: Counted,
+    /// The asperities in contact at a load, by the usual reference. Counts of models differ, by
+    /// orders of magnitude with rough asperities on asperities, and the scatter of a surface does
+    /// not depend on the model.
+    counted: Option<ByModel>,
     adhesion: Option<Adhesion>,
     pub(super) candidates: OnceLock<Vec<OnDemand<M>>>,
     pub(super) gaps: Gaps,
@@ -56,7 +56,7 @@ impl<M: Answering> BestContact<M> {
         if never_yields {
             (scene.interface.hardness, scene.interface.yield_strength) = (None, None);
         }
-        let counted = Counted::on::<M>(&scene)?;
+        let counted = ByModel::new::<M>(usual_reference(&scene), Quantity::Contacts, &scene);
         let adhesion = Adhesion::on::<M>(&scene);
         let judged = Quantity::JUDGED.into_iter();
         let judged = judged.filter(|one| !request.quantities.contains(one));
@@ -102,6 +102,11 @@ impl<M: Answering> BestContact<M> {
         ContactError::Refused { model: Best::<M>::ID.into(), reason }
     }
 
+    /// Contacts at a mean pressure \[Pa\]; `None` if unknown.
+    fn contacts(&self, pressure: f64) -> Option<f64> {
+        self.counted.as_ref()?.at(pressure)
+    }
+
     /// What is known of a place, kept for the next quantity.
     pub(super) fn place(&self, at: At) -> SharedPlace {
         let given = at.pressure(&self.scene);
@@ -120,13 +125,9 @@ impl<M: Answering> BestContact<M> {
             At::Separation(separation) => self.pressure_at(separation),
             _ => given,
         };
-        let expected = pressure.map_or_else(
-            || {
-                let reason = "no solved surface has this mean gap".into();
-                Err(ContactError::NoEvidence { property: "separation", reason })
-            },
-            |pressure| self.expected(pressure),
-        );
+        let reason = || "no solved surface has this mean gap".into();
+        let none = || ContactError::NoEvidence { property: "separation", reason: reason() };
+        let expected = pressure.ok_or_else(none).and_then(|pressure| self.expected(pressure));
         let place = Arc::new(Place { pressure, expected, judged: Default::default() });
         let mut all = kept();
         if all.len() >= MOST_KEPT {
@@ -137,10 +138,9 @@ impl<M: Answering> BestContact<M> {
     }
 
     fn expected(&self, pressure: f64) -> Result<ExpectedContact, ContactError> {
-        let mut found = self.expected_of(&Compared::ALL, pressure, self.counted.at(pressure))?;
-        if let Some(reason) =
-            self.adhesion.as_ref().and_then(|adhesion| adhesion.effect_on_area(pressure))
-        {
+        let mut found = self.expected_of(&Compared::ALL, pressure, self.contacts(pressure))?;
+        let effect = self.adhesion.as_ref().and_then(|adhesion| adhesion.effect_on_area(pressure));
+        if let Some(reason) = effect {
             found.values.iter_mut().for_each(|(_, one)| (one.ends, one.presumed) = (None, None));
             found.outside = Some((Self::ADHESION, reason));
         }
@@ -166,14 +166,6 @@ impl<M: Answering> BestContact<M> {
     fn solved(&self, pressure: f64) -> Option<&SolvedContact> {
         let same = |one: &&SolvedContact| (one.pressure / pressure - 1.0).abs() < SAME;
         self.best.solved.iter().find(same)
-    }
-
-    /// Why what was solved at this place is not the answer, if it is not.
-    #[must_use]
-    pub fn not_used(&self, at: At) -> Option<&str> {
-        let place = self.place(at);
-        let (_, why) = self.solved(place.pressure?)?.uncertain.as_ref()?;
-        place.has_interval().then_some(why)
     }
 
     /// Why what was solved at this place is uncertain, if it is.
@@ -244,7 +236,7 @@ impl<M: Answering> BestContact<M> {
             return Ok(Evaluation::new(load, 0.0));
         }
         if let Some(pressure) = self.place(at).pressure {
-            return Ok(Evaluation::new(pressure * self.scene.nominal_area, FOUND.max(ROUNDED)));
+            return Ok(Evaluation::new(pressure * self.scene.nominal_area, ROUNDED));
         }
         let valid = self.first(Compared::Area, at)?;
         valid.0.force(at)
@@ -271,7 +263,7 @@ impl<M: Answering> BestContact<M> {
     /// Of what an interval is.
     fn of_what(&self, pressure: f64) -> String {
         let area = short(1e4 * self.scene.nominal_area);
-        let some = self.counted.at(pressure).map_or_else(String::new, |contacts| {
+        let some = self.contacts(pressure).map_or_else(String::new, |contacts| {
             let rounded: f64 = format!("{contacts:.0e}").parse().unwrap_or(contacts);
             format!(" with some {} contacts", short(rounded))
         });
@@ -293,29 +285,15 @@ impl<M: Answering> ContactEngine for BestContact<M> {
     }
 
     fn evaluate_at(&self, quantity: Quantity, at: At) -> Result<Evaluation, ContactError> {
-        match Compared::behind(quantity) {
-            Some(of) => {
-                let (load, known) = (self.load(at)?, self.known(of, at)?);
-                self.of(quantity, load.value(), known.value, known.error.max(load.error))
-            }
-            None if quantity == Quantity::Contacts => {
-                let counted =
-                    self.place(at).pressure.and_then(|pressure| self.counted.at(pressure));
-                let counted =
-                    counted.ok_or_else(|| self.refused("no model counts contacts here".into()))?;
-                Ok(Evaluation::new(counted, self.request.tolerance.relative()))
-            }
-            None => {
-                let load = self.load(at)?;
-                let of = Evaluation::of_totals(
-                    quantity,
-                    (load.value(), f64::NAN),
-                    self.scene.nominal_area,
-                    load.error,
-                );
-                of.ok_or_else(|| self.lacks(quantity))
-            }
+        if quantity == Quantity::Contacts {
+            let counted = self.place(at).pressure.and_then(|pressure| self.contacts(pressure));
+            let counted = counted.map(|n| Evaluation::new(n, self.request.tolerance.relative()));
+            return counted.ok_or_else(|| self.refused("no model counts contacts here".into()));
         }
+        let load = self.load(at)?;
+        let known = Compared::behind(quantity).map(|of| self.known(of, at)).transpose()?;
+        let (compared, error) = known.map_or((f64::NAN, 0.0), |known| (known.value, known.error));
+        self.of(quantity, load.value(), compared, error.max(load.error))
     }
 
     fn interval_at(&self, quantity: Option<Quantity>, at: At) -> Option<Interval> {

@@ -1,14 +1,21 @@
-//! What boundary elements are expected to give, also beyond the loads that were solved.
+//! What boundary elements are expected to give, also beyond the loads that were solved, and the
+//! load at a separation, where they determine the mean gap.
 
 use super::candidates::{Candidate, SharedPlace};
 use super::contact::{BestContact, ROUNDED};
-use super::known::{Known, Source};
-use super::model::Answering;
+use super::model::{Answering, Known, Source};
 use crate::evidence::{Compared, Estimate, ExpectedContact};
-use asperity_core::{At, ContactError, short};
+use asperity_core::{At, ContactError, Datum, Separation, SeparationUnit, short};
+use asperity_quadrature::bracketed_root;
 
 /// Mean gaps over Sq are not stated below: of plastic bodies -0.42 was solved, at 0.68 H.
 const DEEPEST: f64 = -0.5;
+
+/// Ratio of neighbouring pressures between which a gap is looked for.
+const STEP: f64 = 2.0;
+/// Pressures over the equivalent modulus that are searched.
+const LIGHTEST: f64 = 1e-15;
+const HEAVIEST: f64 = 1.0;
 
 impl<M: Answering> BestContact<M> {
     /// What boundary elements are expected to give; none on surfaces of another kind. Under loads
@@ -129,5 +136,44 @@ impl<M: Answering> BestContact<M> {
         let asperity = self.scene.asperity()?;
         let modulus = (asperity.equivalent_modulus, "equivalent modulus");
         Ok(asperity.hardness.map_or(modulus, |hardness| (hardness, "hardness")))
+    }
+
+    /// The mean gap that is expected at a mean pressure.
+    fn gap_at(&self, pressure: f64) -> Option<f64> {
+        let of = Compared::MeanGap;
+        let expected = self.expected_of(&[of], pressure, None).ok()?;
+        let estimate = expected.estimate(of).filter(|_| !expected.extrapolated);
+        let known = || Some(self.expected_value(of, pressure).ok()??.value);
+        estimate.map(|one| one.value).or_else(known)
+    }
+
+    fn gaps(&self) -> &[[f64; 2]] {
+        self.gaps.get_or_init(|| {
+            let modulus = self.scene.asperity().map_or(f64::NAN, |one| one.equivalent_modulus);
+            let next = |p: &f64| Some(p * STEP).filter(|p| *p < HEAVIEST * modulus);
+            let all = std::iter::successors(Some(LIGHTEST * modulus), next);
+            let mut found: Vec<[f64; 2]> = vec![];
+            for pressure in all {
+                match (self.gap_at(pressure), found.last()) {
+                    // Falling gaps alone can be inverted.
+                    (Some(gap), Some([_, last])) if gap >= *last => {}
+                    (Some(gap), _) => found.push([pressure.ln(), gap]),
+                    (None, None) => {}
+                    (None, Some(_)) => break,
+                }
+            }
+            found
+        })
+    }
+
+    /// The mean pressure at a separation; `None` at one that no pressure is expected to have.
+    pub(super) fn pressure_at(&self, separation: Separation) -> Option<f64> {
+        let unit = SeparationUnit::Metres;
+        let gap = separation.measured_in(unit, Datum::SurfaceMean, &self.scene).ok()?.value;
+        let gaps = self.gaps();
+        let above = gaps.partition_point(|[_, known]| *known > gap);
+        let ([low, _], [high, _]) = (gaps.get(above.checked_sub(1)?)?, gaps.get(above)?);
+        let off = |ln: f64| self.gap_at(ln.exp()).map_or(f64::NAN, |known| known - gap);
+        bracketed_root(off, *low, *high).map(f64::exp)
     }
 }

@@ -7,7 +7,9 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use crate::evidence::{Compared, SurfaceShape};
-use asperity_core::{Citation, Code, ContactError, ContactModel, Described, Provenance, Validity};
+use asperity_core::{
+    Citation, Code, ContactError, ContactModel, Described, Finding, Provenance, Validity,
+};
 
 /// What is known best about a scene: what boundary elements gave at the load, where that was
 /// solved; else what they are expected to give: between solved surfaces with an interval, beyond
@@ -30,7 +32,7 @@ use asperity_core::{Citation, Code, ContactError, ContactModel, Described, Prove
 /// assert!(interval.of.starts_with("nine of ten surfaces of this spectrum, 1 cm2 with some "));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(bound = "")]
 pub struct Best<M> {
     /// Those that answer without evidence, preferred first; the usual ones, if there are none.
@@ -100,12 +102,6 @@ impl<M> Default for Best<M> {
     }
 }
 
-impl<M> fmt::Debug for Best<M> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Best").field("shape", &self.shape).finish_non_exhaustive()
-    }
-}
-
 const CITATION: Citation = Citation {
     id: "best",
     name: "Best",
@@ -116,7 +112,7 @@ const CITATION: Citation = Citation {
     published: &[("howpublished", "program")],
 };
 
-impl<M: Send + Sync> Described for Best<M> {
+impl<M: fmt::Debug + Send + Sync> Described for Best<M> {
     fn citation(&self) -> &Citation {
         &CITATION
     }
@@ -132,4 +128,37 @@ impl<M: Send + Sync> Described for Best<M> {
             ..Validity::default()
         }
     }
+}
+
+/// A compared number of an answer: area over nominal area, stiffness \[N/m\], mean gap \[m\].
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Known {
+    /// The number.
+    pub value: f64,
+    /// The ends of an interval that holds nine of ten surfaces, with evidence.
+    pub ends: Option<[f64; 2]>,
+    /// The ends without: beyond solved surfaces as at the nearest of them.
+    pub(super) presumed: Option<[f64; 2]>,
+    /// Where it is from.
+    pub source: Source,
+    /// A bound on its relative numerical error.
+    pub(super) error: f64,
+}
+
+impl Known {
+    pub(super) fn without_ends(value: f64, source: Source, error: f64) -> Self {
+        Self { value, ends: None, presumed: None, source, error }
+    }
+}
+
+/// Where a number is from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Source {
+    /// Boundary elements on this scan at this load.
+    Solved,
+    /// Boundary elements on solved surfaces like this one.
+    Evidence,
+    /// The model of this id, and why it is not valid here, if it is not.
+    Model(String, Option<Box<Finding>>),
 }

@@ -3,11 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::contact::BestContact;
-use super::known::{Known, Source};
-use super::model::{Answering, Best};
+use super::model::{Answering, Best, Known, Source};
 use crate::evidence::{Compared, ExpectedContact};
 use crate::recommended::usual_reference;
-use asperity_core::{At, Code, Finding};
+use asperity_core::{At, Code, Finding, Severity};
 
 /// Elastic bodies that hardly yield, as of rubber, have a lower modulus \[Pa\].
 const SOFTEST_METAL: f64 = 1e9;
@@ -23,26 +22,25 @@ impl<M: Answering> BestContact<M> {
             }
         };
         let note = |code, field| Finding::note(code, field, f64::NAN).of_model(Best::<M>::ID);
+        let warning = |code, field| note(code, field).severity(Severity::Warning);
         let behind = self.request.quantities.iter().filter_map(|q| Compared::behind(*q));
         let interface = &self.scene.interface;
         let is_metal = interface.equivalent_modulus > SOFTEST_METAL;
         if interface.softer_hardness().is_none() && is_metal && !self.never_yields {
             let fact = "no body has a hardness, and the contacts are taken as elastic";
-            let found = Finding::warning(Code::NoHardness, "hardness", f64::NAN).fact(fact);
             let advice =
                 "set hardness, yield_strength or material of the bodies, unless they do not yield";
-            add(found.advice(advice).of_model(Best::<M>::ID));
+            add(warning(Code::NoHardness, "hardness").fact(fact).advice(advice));
         }
         for &at in at {
             let place = self.place(at);
-            if let Some(why) = self.not_used(at) {
-                let fact = format!("the solution on this scan is not used: {why}");
-                let found = Finding::warning(Code::SolutionNotUsed, "solution", f64::NAN);
-                add(found.fact(fact).of_model(Best::<M>::ID));
-            } else if let Some((code, why)) = self.uncertain(at) {
-                let fact = format!("the solution on this scan is uncertain: {why}");
-                let found = Finding::warning(*code, "solution", f64::NAN);
-                add(found.fact(fact).of_model(Best::<M>::ID));
+            if let Some((code, why)) = self.uncertain(at) {
+                let (code, is) = match place.has_interval() {
+                    true => (Code::SolutionNotUsed, "not used"),
+                    false => (*code, "uncertain"),
+                };
+                let fact = format!("the solution on this scan is {is}: {why}");
+                add(warning(code, "solution").fact(fact));
             }
             let is_light = |one: &ExpectedContact| one.extrapolated && one.outside.is_none();
             if place.expected.as_ref().is_ok_and(is_light) {
@@ -65,8 +63,7 @@ impl<M: Answering> BestContact<M> {
                     }
                     Ok(Known { source: Source::Evidence, ends: None, .. }) => {
                         if field == Self::ADHESION {
-                            let found = Finding::warning(Code::Sticks, field, f64::NAN);
-                            add(found.fact(reason).of_model(Best::<M>::ID));
+                            add(warning(Code::Sticks, field).fact(reason));
                             continue;
                         }
                         let (_, all) = open.entry(reason).or_insert((field, BTreeSet::new()));

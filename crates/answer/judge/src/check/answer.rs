@@ -4,14 +4,11 @@
 use std::mem::discriminant;
 
 use super::Check;
-use super::findings::{
-    FEW, above_hardness, beyond_fit, beyond_full_contact, crowded, few, missed, share_above,
-    sticks, yields,
-};
+use super::findings::{Answer, FEW, share_above};
 use super::interferences::Interferences;
 use asperity_core::{
-    At, Code, Contact, ContactError, ContactModel, Datum, Finding, Findings, Quantity, Regime,
-    Request, Scene, Separation, SeparationUnit, Tolerance, Validity, short,
+    At, Code, Contact, ContactError, ContactModel, Datum, Findings, Quantity, Regime, Request,
+    Scene, Separation, SeparationUnit, Tolerance, Validity, short,
 };
 
 /// Tolerance of the numbers in findings.
@@ -76,6 +73,7 @@ impl Check {
         whole: bool,
     ) -> Result<Self, ContactError> {
         let (scene, validity) = (contact.scene(), model.validity());
+        let answer = Answer { model, scene, at };
         // Theories of the whole surface have no number of contacts, and some no separation.
         let known = |found: Result<f64, ContactError>| match found {
             Ok(number) => Ok(Some(number)),
@@ -86,15 +84,19 @@ impl Check {
         let asked = validity.asperities && (whole || !validity.angles);
         let place = if asked { known(in_sigma(at))?.map(Separation::sigmas) } else { None };
         let row = contact.respond(&Request::new(Quantity::JUDGED).at([place.map_or(at, At::from)]));
-        let value = |k: usize| match &row.columns[k].rows[0] {
-            Ok(found) => Ok(found.value()),
-            Err(error) => Err((**error).clone()),
-        };
+        let value = |k: usize| row.columns[k].values().map(|all| all[0]);
         let contacts = known(value(2))?;
         let place = place.filter(|_| contacts.is_some());
-        let mut check = Self::of_totals(model, scene, at, place, [value(0)?, value(1)?], contacts);
-        if whole {
-            check.add_stiffnesses(model, scene, place.map_or(at, At::from))?;
+        let mut check = Self::of_totals(answer, place, [value(0)?, value(1)?], contacts);
+        let tolerance = Tolerance::new(TOLERANCE)?;
+        let stiffnesses = [
+            (Quantity::Tangent, "tangent", "stiffness in first loading, -dF/dd"),
+            (Quantity::UnloadingStiffness, "unloading_stiffness", "stiffness of small vibrations"),
+        ];
+        for (quantity, name, meaning) in stiffnesses.into_iter().filter(|_| whole) {
+            let contact = model.compile(scene, &Request::new([quantity]).within(tolerance));
+            let found = contact.and_then(|of| of.evaluate(quantity, place.map_or(at, At::from)));
+            check.add_number(name, found.ok().map(|found| found.value()), "N/m", meaning);
         }
         let Some((place, contacts)) = place.zip(contacts) else { return Ok(check) };
         // Elastic laws are judged by what yields; others only where it may matter.
@@ -105,11 +107,11 @@ impl Check {
         let mut shares = None;
         if (asked || may_be_deep(contact, place, contacts))
             && let Some(laws) = model.asperity_model()
-            && let Ok(law) = laws.force(&scene.asperity()?, Tolerance::new(TOLERANCE)?)
+            && let Ok(law) = laws.force(&scene.asperity()?, tolerance)
             && let Some(deep) = Interferences::of(contact, &law, place)?
         {
             let plastic = law.parts.last().is_some_and(|part| part.regime == Regime::Plastic);
-            check.of_depths(model, scene, at, (&deep, plastic));
+            check.of_depths(answer, &deep, plastic);
             let critical = scene.asperity().and_then(|asperity| asperity.critical_interference());
             shares = critical.ok().map(|w| multiples.map(|multiple| deep.beyond(multiple * w)));
         }
@@ -120,42 +122,20 @@ impl Check {
         if let Some([yielding, from, to]) = shares {
             check.add_number("yielding_share", yielding, "", YIELDING_SHARE);
             let defect = validity.known_defect;
-            check.extend(defect.and_then(|defect| missed(model, at, from - to, &defect)));
-            check.extend(yields(model, at, yielding).filter(|_| is_elastic));
+            check.extend(defect.and_then(|defect| answer.missed(from - to, &defect)));
+            check.extend(answer.yields(yielding).filter(|_| is_elastic));
         }
         Ok(check)
     }
 
-    /// The stiffnesses that the model has on this scene.
-    fn add_stiffnesses(
-        &mut self,
-        model: &dyn ContactModel,
-        scene: &Scene,
-        at: At,
-    ) -> Result<(), ContactError> {
-        let tolerance = Tolerance::new(TOLERANCE)?;
-        for (quantity, name, meaning) in [
-            (Quantity::Tangent, "tangent", "stiffness in first loading, -dF/dd"),
-            (Quantity::UnloadingStiffness, "unloading_stiffness", "stiffness of small vibrations"),
-        ] {
-            let contact = model.compile(scene, &Request::new([quantity]).within(tolerance));
-            if let Ok(found) = contact.and_then(|contact| contact.evaluate(quantity, at)) {
-                self.add_number(name, found.value(), "N/m", meaning);
-            }
-        }
-        Ok(())
-    }
-
     /// Numbers and findings from force \[N\], area \[m²\] and number of contacts.
     fn of_totals(
-        model: &dyn ContactModel,
-        scene: &Scene,
-        at: At,
+        answer: Answer<'_>,
         place: Option<Separation>,
         [force, area]: [f64; 2],
         contacts: Option<f64>,
     ) -> Self {
-        let mut check = Self::default();
+        let (mut check, Answer { model, scene, at }) = (Self::default(), answer);
         let fraction = area / scene.nominal_area;
         let sigma = scene.surface.asperity_height_std;
         // What was asked for is exact; the force of the contact has an error.
@@ -170,14 +150,14 @@ impl Check {
         check.add_number("separation", distance, "m", format!("d, from {plane}"));
         check.add_number("area", area, "m2", format!("real area of contact, by {}", model.id()));
         check.add_number("area_fraction", fraction, "", "real over nominal area");
-        check.extend(crowded(model, at, fraction).filter(|_| model.validity().asperities));
-        check.extend(beyond_full_contact(model, scene, at, [pressure, fraction]));
-        check.extend(sticks(model, scene));
+        check.extend(answer.crowded(fraction).filter(|_| model.validity().asperities));
+        check.extend(answer.beyond_full_contact([pressure, fraction]));
+        check.extend(answer.sticks());
         check.add_number("contacts", contacts, "", "asperities that touch");
         let touching = contacts.filter(|contacts| *contacts > 0.0);
         let is_load = matches!(at, At::Load(_) | At::Pressure(_));
         let scarce = touching.filter(|contacts| is_load && *contacts < FEW);
-        check.extend(scarce.map(|contacts| few(model, at, contacts)));
+        check.extend(scarce.map(|contacts| answer.few(contacts)));
         let each = touching.filter(|_| area > 0.0).map(|n| area / (std::f64::consts::PI * n));
         check.add_number("contact_radius", each.map(f64::sqrt), "m", "of a contact of mean area");
         let mean = force / area;
@@ -188,9 +168,9 @@ impl Check {
                 // Other models with a limited range report yielding by interference.
                 let Validity { asperities, holds_to, .. } = model.validity();
                 match holds_to {
-                    None => check.extend(above_hardness(model, at, mean / hardness)),
+                    None => check.extend(answer.above_hardness(mean / hardness)),
                     Some(_) if asperities => {}
-                    Some(_) => check.extend(yields(model, at, share_above(hardness / mean))),
+                    Some(_) => check.extend(answer.yields(share_above(hardness / mean))),
                 }
             }
         }
@@ -199,22 +179,16 @@ impl Check {
 
     /// Numbers and findings from the interferences of the asperities, for a law that may end in
     /// a plastic part.
-    fn of_depths(
-        &mut self,
-        model: &dyn ContactModel,
-        scene: &Scene,
-        at: At,
-        (deep, plastic): (&Interferences, bool),
-    ) {
+    fn of_depths(&mut self, answer: Answer<'_>, deep: &Interferences, plastic: bool) {
+        let Answer { model, scene, .. } = answer;
         let (w, r) = (deep.largest(), scene.surface.asperity_radius);
         let top = "exceeded by the asperities that carry the top 1 % of the load";
         self.add_number("interference", w, "m", top);
         self.add_number("interference_over_radius", w / r, "", "w/R of it");
         if w > FLATTENED * r {
-            let deep = Finding::warning(Code::Deep, "interference_over_radius", w / r)
+            let deep = answer
+                .warning(Code::Deep, "interference_over_radius", w / r)
                 .usual([0.0, FLATTENED])
-                .of_model(model.id())
-                .at(at)
                 .fact(format!(
                     "the asperities that carry the top 1 % of the load are pressed in by more than {} times their radius",
                     short(w / r)
@@ -228,7 +202,7 @@ impl Check {
         let holds_to = model.validity().holds_to.filter(|multiple| *multiple > 1.0);
         self.extend(holds_to.and_then(|multiple| {
             let outside = deep.beyond(multiple * critical);
-            beyond_fit(model, at, (outside, w / critical), multiple, plastic)
+            answer.beyond_fit((outside, w / critical), multiple, plastic)
         }));
     }
 }

@@ -192,25 +192,16 @@ impl Check {
         check.add_number("height_std_over_radius", sigma / r, "", "sigma_z/R");
         let above = "of the asperities above the mean plane";
         check.add_number("mean_plane_offset", scene.mean_plane_offset(), "m", above);
-        for (name, number, meaning) in [
-            (
-                "pair_asperity_height_std",
-                contacts.surface.asperity_height_std,
-                "sigma_z of both surfaces together, the unit of separations",
-            ),
-            (
-                "pair_surface_height_std",
-                contacts.surface_height_std(),
-                "sigma of both surfaces together, the unit of films",
-            ),
-            (
-                "pair_mean_plane_offset",
-                contacts.mean_plane_offset(),
-                "of the asperities of both surfaces above their mean planes",
-            ),
-        ] {
-            check.add_number(name, is_of_pair.then_some(number), "m", meaning);
-        }
+        let of_pair = |number: f64| is_of_pair.then_some(number);
+        let std = of_pair(contacts.surface.asperity_height_std);
+        let meaning = "sigma_z of both surfaces together, the unit of separations";
+        check.add_number("pair_asperity_height_std", std, "m", meaning);
+        let std = of_pair(contacts.surface_height_std());
+        let meaning = "sigma of both surfaces together, the unit of films";
+        check.add_number("pair_surface_height_std", std, "m", meaning);
+        let offset = of_pair(contacts.mean_plane_offset());
+        let meaning = "of the asperities of both surfaces above their mean planes";
+        check.add_number("pair_mean_plane_offset", offset, "m", meaning);
         check.add_number("nominal_area", scene.nominal_area, "m2", "A_n");
         check.add_number("asperities", scene.asperities(), "", "eta A_n");
         check.extend(scene.findings());

@@ -25,16 +25,8 @@ const PLASTIC_RATIO: f64 = 0.02;
 const YIELD_RATIO: [f64; 2] = [1.5, 11.0];
 /// G/E of two bodies; 0.17 to 0.25, (1-ν)/(2(2-ν)), for equal materials.
 const SHEAR_RATIO: [f64; 2] = [0.08, 0.5];
-/// Numbers on which a force depends, judged beside each other.
-const OF_FORCE: [&str; 7] = [
-    "youngs_modulus",
-    "equivalent_modulus",
-    "equivalent_shear_modulus",
-    "hardness",
-    "yield_strength",
-    "pressure_factor",
-    "work_of_adhesion",
-];
+/// Numbers on which no force depends.
+const OF_NO_FORCE: [&str; 2] = ["thermal_conductivity", "electrical_resistivity"];
 
 impl Plausible for Body {
     fn findings(&self) -> Findings {
@@ -72,7 +64,7 @@ impl Plausible for Interface {
 /// Findings of the numbers of a body or an interface that are judged nowhere else: no force depends
 /// on them.
 fn of_no_force<T>(of: &T, numbers: &[MaterialNumber<T>]) -> Findings {
-    let others = numbers.iter().filter(|number| !OF_FORCE.contains(&number.name));
+    let others = numbers.iter().filter(|number| OF_NO_FORCE.contains(&number.name));
     let found = others.filter_map(|number| unusual(number.name, (number.get)(of)?));
     found.map(|found| found.implausible(false)).collect()
 }

@@ -14,17 +14,6 @@ const RARE: [&str; 6] = ["bar", "cm", "kPa", "pm", "1/cm", "1/cm2"];
 /// Numbers of a scene by their keys: the usual range, a typical value, and the SI unit.
 type Usual = (&'static [&'static str], [f64; 2], f64, &'static str);
 
-/// The radii of curved bodies.
-const RADII: [&str; 7] = [
-    "radius",
-    "radius_x",
-    "radius_y",
-    "body1_radius_x",
-    "body1_radius_y",
-    "body2_radius_x",
-    "body2_radius_y",
-];
-
 /// From elastomers to diamond; asperities from atomic corrugation to the stones of asphalt.
 const USUAL: [Usual; 33] = [
     (&["youngs_modulus", "equivalent_modulus"], [1e6, 2e12], 1e11, "Pa"),
@@ -66,7 +55,8 @@ const USUAL: [Usual; 33] = [
     (&["gas_conductivity"], [1e-3, 100.0], 0.03, "W/(m K)"),
     (&["gas_parameter"], [0.0, 5e-3], 4e-7, "m"),
     // From tips of probes to nearly conforming bodies.
-    (&RADII, [1e-8, 5.0], 0.1, "m"),
+    // Of curved bodies, also as radius_x or body1_radius_x.
+    (&["radius"], [1e-8, 5.0], 0.1, "m"),
     // Of seals, from instruments to long flanges.
     (&["width"], [1e-6, 1.0], 0.01, "m"),
     (&["length", "perimeter", "reference_length"], [1e-5, 10.0], 0.1, "m"),
@@ -90,14 +80,18 @@ const USUAL: [Usual; 33] = [
 /// ```
 #[must_use]
 pub fn unusual(key: &'static str, value: f64) -> Option<Finding> {
-    let (_, usual, ..) = USUAL.iter().find(|(keys, ..)| keys.contains(&key))?;
-    outside(key, value, *usual)
+    outside(key, value, entry(key)?.1)
+}
+
+fn entry(key: &str) -> Option<&'static Usual> {
+    let key = if key.contains("radius_") { "radius" } else { key };
+    USUAL.iter().find(|(keys, ..)| keys.contains(&key))
 }
 
 /// The same with another usual range.
 #[must_use]
 pub fn outside(key: &'static str, value: f64, usual: [f64; 2]) -> Option<Finding> {
-    let (.., typical, si) = *USUAL.iter().find(|(keys, ..)| keys.contains(&key))?;
+    let (.., typical, si) = *entry(key)?;
     if within(value, usual) {
         return None;
     }

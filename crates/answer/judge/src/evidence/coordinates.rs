@@ -126,6 +126,9 @@ pub(crate) struct Coordinates {
     pub(crate) surfaces: f64,
 }
 
+/// The ends of five ranges, and two largest values.
+pub(crate) type Ranges = ([[f64; 2]; 5], [f64; 2]);
+
 impl Coordinates {
     /// The place of a scene at a mean pressure \[Pa\]; without a shape heights must be Gaussian.
     pub(crate) fn of_scene(
@@ -172,6 +175,32 @@ impl Coordinates {
         self.alpha.total_cmp(&other.alpha).is_eq() && self.shape == other.shape
     }
 
+    /// Whether the surface is isotropic and Gaussian.
+    fn is_plain(&self) -> bool {
+        self.shape == SurfaceShape::default()
+    }
+
+    /// Ranges of the solved places: of alpha, the load, p/H, the ratio of slopes and the skewness,
+    /// and the largest plasticity indices of all surfaces and of those that are not plain.
+    pub(crate) fn ranges(all: &[Self]) -> Ranges {
+        let range = |of: fn(&Self) -> f64| {
+            let none = [f64::INFINITY, f64::NEG_INFINITY];
+            all.iter().map(of).fold(none, |[a, b], x| [a.min(x), b.max(x)])
+        };
+        let index = [false, true].map(|plain| {
+            let of = all.iter().filter(|place| !(plain && place.is_plain()));
+            of.map(|place| place.index).fold(0.0, f64::max)
+        });
+        let of: [fn(&Self) -> f64; 5] = [
+            |place| place.alpha,
+            |place| place.load,
+            Self::of_hardness,
+            |place| place.shape.slope_ratio,
+            |place| place.shape.skewness,
+        ];
+        (of.map(range), index)
+    }
+
     /// Pressure over hardness.
     pub(crate) fn of_hardness(&self) -> f64 {
         self.load * self.strain
@@ -197,23 +226,15 @@ pub(crate) struct Nearest {
 impl Evidence {
     /// The nearest of the solved places.
     pub(crate) fn nearest(&self, place: &Coordinates) -> Nearest {
-        let range = |of: fn(&Coordinates) -> f64| {
-            let solved = self.places.iter().map(of);
-            solved.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
-        };
+        let ([alpha, [lightest, load], [_, hardness], slopes, skewnesses], [index, of_others]) =
+            self.ranges;
         // Of skewed surfaces and those with a lay, fewer materials are solved.
-        let plain = |place: &Coordinates| place.shape == SurfaceShape::default();
-        let like = |other: &&Coordinates| plain(place) || !plain(other);
-        let index = self.places.iter().filter(like).map(|p| p.index).fold(0.0, f64::max);
-        let of_shape = match plain(place) {
+        let index = if place.is_plain() { index } else { of_others };
+        let of_shape = match place.is_plain() {
             true => String::new(),
             false => format!(" of a surface with {}", place.shape.differences().join(" and ")),
         };
-        let ([lightest, load], [_, hardness]) =
-            (range(|place| place.load), range(Coordinates::of_hardness));
         let SurfaceShape { skewness, slope_skewness, slope_ratio, .. } = place.shape;
-        let alpha = range(|place| place.alpha);
-        let slopes = range(|place| place.shape.slope_ratio);
         let too_light = (place.load * LIGHTER < lightest).then(|| {
             let reason = format!(
                 "p/(E g) = {:.1e}; solved from {lightest:.0e}, with intervals from {:.1e}",
@@ -230,7 +251,6 @@ impl Evidence {
             ("p/H", "", place.of_hardness(), [0.0, hardness], BEYOND),
             ("the ratio of slopes", "", slope_ratio, slopes, BEYOND),
         ];
-        let skewnesses = range(|place| place.shape.skewness);
         let [low, high] = [skewnesses[0] - BEYOND_SKEWNESS, skewnesses[1] + BEYOND_SKEWNESS];
         let named = [("skewness", skewness), ("skewness of the slopes", slope_skewness)];
         let skewed = || {

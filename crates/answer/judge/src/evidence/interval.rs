@@ -53,18 +53,14 @@ impl Evidence {
 
     /// The surface through the cases of a table.
     fn process(&self, quantity: Compared) -> Option<&Process> {
-        let index = Compared::ALL.iter().position(|known| *known == quantity)?;
-        let through = || Process::through(&self.solved_values(quantity), spread(quantity));
-        self.processes.get(index)?.get_or_init(through).as_ref()
+        let through =
+            || Process::through(&self.solved_values(quantity), constants(quantity).process);
+        self.processes[quantity as usize].get_or_init(through).as_ref()
     }
 
     fn solved_values(&self, quantity: Compared) -> Vec<SolvedValue> {
         let cases = self.places.iter().zip(&self.cases);
-        let highest = match quantity {
-            Compared::Stiffness | Compared::UnloadingStiffness => STIFFNESS,
-            Compared::Area | Compared::MeanGap => f64::INFINITY,
-        };
-        let near = cases.filter(|(place, _)| place.of_hardness() <= highest);
+        let near = cases.filter(|(place, _)| place.of_hardness() <= constants(quantity).solved_to);
         near.filter_map(|(place, case)| solved_value(quantity, place, case)).collect()
     }
 }
@@ -72,23 +68,8 @@ impl Evidence {
 impl Compared {
     /// The pressure over the hardness up to which the quantity is stated.
     pub(crate) fn highest_pressure(self) -> f64 {
-        match self {
-            Self::Area => f64::INFINITY,
-            Self::Stiffness | Self::UnloadingStiffness => STIFFNESS,
-            Self::MeanGap => GAP,
-        }
+        constants(self).stated_to
     }
-}
-
-/// Standard deviations of the process; they and the scatter were fitted to half of the fresh scans
-/// of `figures/truth-scans.md` and to families left out.
-fn spread(quantity: Compared) -> Spread {
-    let [amplitude, skewness, spectrum] = match quantity {
-        Compared::Area => [0.08, 0.3, 0.002],
-        Compared::Stiffness | Compared::UnloadingStiffness => [0.45, 0.25, 0.006],
-        Compared::MeanGap => [0.25, 0.25, 0.002],
-    };
-    Spread { amplitude, skewness, spectrum }
 }
 
 /// The place with the skewness that the quantity follows.
@@ -100,8 +81,14 @@ fn followed(quantity: Compared, place: &Coordinates) -> Coordinates {
     place
 }
 
-/// Standard deviations of single surfaces and of families about what is interpolated.
-struct Scatter {
+/// Numbers of a quantity: pressures over the hardness up to which it is used and stated, and
+/// standard deviations of the process and of single surfaces and families about what is
+/// interpolated, fitted to half of the fresh scans of `figures/truth-scans.md` and to families left
+/// out.
+struct Constants {
+    solved_to: f64,
+    stated_to: f64,
+    process: Spread,
     /// Of a surface, times the square root of the number of its contacts, and the power with which
     /// it falls under heavy loads.
     sample: [f64; 2],
@@ -121,7 +108,10 @@ struct Scatter {
     skewness: f64,
 }
 
-const OF_AREA: Scatter = Scatter {
+const OF_AREA: Constants = Constants {
+    solved_to: f64::INFINITY,
+    stated_to: f64::INFINITY,
+    process: Spread { amplitude: 0.08, skewness: 0.3, spectrum: 0.002 },
     sample: [0.44, 0.15],
     few: 0.0,
     waves: 0.0,
@@ -130,7 +120,10 @@ const OF_AREA: Scatter = Scatter {
     light: 0.015,
     skewness: 0.055,
 };
-const OF_STIFFNESS: Scatter = Scatter {
+const OF_STIFFNESS: Constants = Constants {
+    solved_to: STIFFNESS,
+    stated_to: STIFFNESS,
+    process: Spread { amplitude: 0.45, skewness: 0.25, spectrum: 0.006 },
     sample: [0.8, 0.35],
     few: FEW,
     waves: 0.3,
@@ -139,7 +132,10 @@ const OF_STIFFNESS: Scatter = Scatter {
     light: 0.03,
     skewness: 0.03,
 };
-const OF_GAP: Scatter = Scatter {
+const OF_GAP: Constants = Constants {
+    solved_to: f64::INFINITY,
+    stated_to: GAP,
+    process: Spread { amplitude: 0.25, skewness: 0.25, spectrum: 0.002 },
     sample: [0.4, 1.0],
     few: 0.5,
     waves: 0.22,
@@ -149,13 +145,17 @@ const OF_GAP: Scatter = Scatter {
     skewness: 0.02,
 };
 
+fn constants(quantity: Compared) -> &'static Constants {
+    match quantity {
+        Compared::Area => &OF_AREA,
+        Compared::Stiffness | Compared::UnloadingStiffness => &OF_STIFFNESS,
+        Compared::MeanGap => &OF_GAP,
+    }
+}
+
 /// Standard deviation of a surface of this place about the mean of all.
 fn scatter(quantity: Compared, place: &Coordinates) -> f64 {
-    let of = match quantity {
-        Compared::Area => OF_AREA,
-        Compared::Stiffness | Compared::UnloadingStiffness => OF_STIFFNESS,
-        Compared::MeanGap => OF_GAP,
-    };
+    let of = constants(quantity);
     let heavy = 1.0 + place.load / HEAVY;
     let contacts = place.contacts * place.surfaces;
     // Contacts of a lay come in rows.

@@ -1,21 +1,18 @@
 //! Models compared with boundary elements: the table on which advice is based.
 
 mod case;
-mod cholesky;
 mod coordinates;
-mod csv;
 mod expected;
 mod interval;
-mod of_model;
 mod process;
 
 use std::sync::OnceLock;
 
-use coordinates::Coordinates;
+use coordinates::{Coordinates, Ranges};
 use process::Process;
 
-pub(crate) use of_model::Lacking;
-pub use of_model::compile_known;
+pub(crate) use case::Lacking;
+pub use case::compile_known;
 
 pub use crate::evidence::case::{Compared, EvidenceCase, EvidenceRow};
 pub use crate::evidence::coordinates::SurfaceShape;
@@ -33,6 +30,8 @@ pub struct Evidence {
     cases: Vec<EvidenceCase>,
     /// Of the cases, in their order.
     places: Vec<Coordinates>,
+    /// [Their ranges](Coordinates::ranges).
+    ranges: Ranges,
     /// Through the cases, one for each of [`Compared::ALL`], made at first use.
     processes: [OnceLock<Option<Process>>; Compared::ALL.len()],
 }
@@ -49,7 +48,7 @@ impl Evidence {
     /// Columns of the cases and of boundary elements: means over the surfaces and their standard
     /// errors. Stiffnesses -dp/d(gap) are in units of E/√m₀, mean gaps in √m₀: distances of the
     /// mean planes, as the separations of models are, with the gaps of plastic pixels below 0.
-    pub const COLUMNS: &'static str = csv::COLUMNS;
+    pub const COLUMNS: &'static str = case::COLUMNS;
 
     /// Hurst exponent of the spectra of the solved surfaces.
     pub const HURST: f64 = 0.8;
@@ -61,8 +60,8 @@ impl Evidence {
     #[must_use]
     pub fn relative(quantity: Compared, model: f64, bem: f64) -> f64 {
         match quantity {
-            Compared::MeanGap => (model - bem) / csv::UNIT,
-            _ => model / bem / csv::UNIT,
+            Compared::MeanGap => (model - bem) / case::UNIT,
+            _ => model / bem / case::UNIT,
         }
     }
 
@@ -95,15 +94,14 @@ impl Evidence {
     /// [`ContactError::Refused`] with line, column and content of the first invalid field, or if
     /// there are no cases.
     pub fn parse(text: &str) -> Result<Self, ContactError> {
-        Self::of_cases(csv::cases(text)?)
+        Self::of_cases(case::cases(text)?)
     }
 
     fn of_cases(cases: Vec<EvidenceCase>) -> Result<Self, ContactError> {
-        Ok(Self {
-            places: cases.iter().map(Coordinates::of_case).collect::<Result<_, _>>()?,
-            processes: Default::default(),
-            cases,
-        })
+        let places = cases.iter().map(Coordinates::of_case);
+        let places: Vec<_> = places.collect::<Result<_, ContactError>>()?;
+        let ranges = Coordinates::ranges(&places);
+        Ok(Self { cases, places, ranges, processes: Default::default() })
     }
 
     /// All cases, ordered by surface, material and load.

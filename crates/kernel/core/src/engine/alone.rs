@@ -114,13 +114,13 @@ impl ContactEngine for Alone {
         self.on(&self.scene)?.plan(request)
     }
 
-    fn respond_to(&self, request: &Request) -> Response {
+    fn respond(&self, request: &Request) -> Response {
         let columns = |places: &[At]| {
             let mut columns = empty(&request.quantities, places);
             for at in places {
                 match self.at(at) {
                     Ok(mut averages) => {
-                        let row = answers(&mut averages, &request.quantities, at);
+                        let row = answers(&mut averages, &request.quantities, at, |_| Ok(()));
                         add_row(&mut columns, row, separation_at(&mut averages, at));
                     }
                     Err(error) => {

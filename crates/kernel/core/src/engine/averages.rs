@@ -3,12 +3,12 @@
 
 use std::sync::Arc;
 
-use asperity_quadrature::{Moments, QuadratureError};
+use asperity_quadrature::Moments;
 
 use crate::engine::inverse::force_at::{Falls, ForceAt};
 use crate::engine::inverse::{CarriedLoad, ForceCurve, Halves, check_load};
 use crate::engine::laws::Laws;
-use crate::error::integral_failed;
+use crate::error::require;
 use crate::scene::place::{HIGHEST, LOWEST, SeparationInSigma};
 use crate::{At, ContactError, Quantity, Scene, Share};
 
@@ -48,12 +48,7 @@ pub(crate) trait Averages<'s> {
     }
 
     /// The same of each part of the law for `base`.
-    fn parts(
-        &mut self,
-        base: Quantity,
-        place: (f64, &At),
-        slope: bool,
-    ) -> Result<Vec<Moments>, ContactError>;
+    fn parts(&mut self, base: Quantity, place: (f64, &At)) -> Result<Vec<Moments>, ContactError>;
 
     /// Whether the heights meet only a rising part of the law of the force from this separation on.
     fn rises_above(&self, s: f64) -> Result<bool, ContactError>;
@@ -84,12 +79,6 @@ pub(crate) trait Averages<'s> {
     /// returns whether there were any.
     fn settle(&mut self, _base: Quantity, _place: (f64, &At)) -> Result<bool, ContactError> {
         Ok(false)
-    }
-
-    /// # Errors
-    /// [`ContactError::NotRequested`] for a quantity without a prepared law.
-    fn check_requested(&self, _quantity: Quantity) -> Result<(), ContactError> {
-        Ok(())
     }
 }
 
@@ -166,11 +155,9 @@ pub(crate) fn separation_of_pull_off<'s>(
     let least = force.largest(-1.0, ln_least)?;
     let level = least.level();
     let (pulls, value) = (level.sign < 0.0 && level.ln > ln_least, least.s);
-    if pulls && (value <= LOWEST || value >= HIGHEST) {
-        let required = "one within -1e6 and 1e9 asperity_height_std";
-        let field = "separation of the pull-off";
-        return Err(ContactError::OutOfRange { field, value, required });
-    }
+    let required = "one within -1e6 and 1e9 asperity_height_std";
+    let inside = value > LOWEST && value < HIGHEST;
+    require(inside || !pulls, "separation of the pull-off", value, required)?;
     Ok(pulls.then_some(value))
 }
 
@@ -203,7 +190,7 @@ pub(crate) fn shares<'s>(
 ) -> Result<Vec<Share>, ContactError> {
     averages.settle(base, place)?;
     let (total, _) = averages.integral(base, place, false)?;
-    let integrals = averages.parts(base, place, false)?;
+    let integrals = averages.parts(base, place)?;
     let law = averages.laws().law(base).ok_or(ContactError::NotRequested { quantity: base })?;
     let share = |part: &Moments| {
         let value = part.value * (part.ln_scale - total.ln_scale).exp();
@@ -218,13 +205,4 @@ pub(crate) fn shares<'s>(
         }
     }
     Ok(shares)
-}
-
-/// The integrals of parts, each of which may fail.
-pub(crate) fn all_parts(
-    parts: impl Iterator<Item = Result<Moments, QuadratureError>>,
-    base: Quantity,
-    at: &At,
-) -> Result<Vec<Moments>, ContactError> {
-    parts.collect::<Result<_, _>>().map_err(integral_failed(base, at))
 }

@@ -2,21 +2,20 @@
 //! separation.
 
 use std::rc::Rc;
-use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, PoisonError, RwLock};
 
-use asperity_quadrature::{Moments, Nearby, QuadratureError};
+use asperity_quadrature::{AnyScale, Moments, Nearby, QuadratureError};
 
-use crate::engine::averages::{Averages, all_parts};
-use crate::engine::height_integral::{HeightIntegral, with_slope_within};
+use crate::engine::averages::Averages;
+use crate::engine::height_integral::{HeightIntegral, LawUnits, with_slope_within};
 use crate::engine::inverse::Halves;
 use crate::engine::inverse::above::ROUGH;
 use crate::engine::inverse::force_at::Falls;
-use crate::engine::law_units::LawUnits;
 use crate::engine::laws::Laws;
-use crate::engine::shapes::{LocalShape, RecentShapes};
 use crate::error::integral_failed;
 use crate::scene::place::SeparationInSigma;
-use crate::{At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, Scene};
+use crate::{At, ContactError, Formula, HeightDistribution, Law, Part, Quantity, Scene, Tolerance};
 
 /// The distance in s within which the bound of an integral holds.
 const SETTLED: f64 = 1e-3;
@@ -140,26 +139,22 @@ impl<'c> Averages<'c> for CaseIntegrals<'c> {
         moments.map_err(integral_failed(Quantity::Force, &s.into()))
     }
 
-    fn parts(
-        &mut self,
-        base: Quantity,
-        (s, at): (f64, &At),
-        slope: bool,
-    ) -> Result<Vec<Moments>, ContactError> {
+    fn parts(&mut self, base: Quantity, (s, at): (f64, &At)) -> Result<Vec<Moments>, ContactError> {
         let (scene, tolerance) = (self.scene, self.laws.tolerance.relative());
         let LawIntegrals { law, units, sources, .. } = self.law(base)?;
         if sources.is_empty() || law.shares.is_some() {
             let alone = |part: &Part| {
-                HeightIntegral::new(part.density(), law, scene, tolerance).once(s, slope)
+                HeightIntegral::new(part.density(), law, scene, tolerance).once(s, false)
             };
-            return all_parts(law.share_parts().iter().map(alone), base, at);
+            let parts = law.share_parts().iter().map(alone).collect::<Result<_, _>>();
+            return parts.map_err(integral_failed(base, at));
         }
         let s = units.onset.shifted(s);
         let parts = law.parts.iter().zip(sources).map(|(part, source)| {
-            let (factor, moments) = source.at(part, (s, units.scale), slope, tolerance)?;
+            let (factor, moments) = source.at(part, (s, units.scale), false, tolerance)?;
             Ok(Moments::NONE.plus(factor, &moments))
         });
-        all_parts(parts, base, at)
+        parts.collect::<Result<_, _>>().map_err(integral_failed(base, at))
     }
 
     fn rises_above(&self, s: f64) -> Result<bool, ContactError> {
@@ -274,5 +269,81 @@ impl LawIntegrals<'_> {
             }
         }
         Ok(moved)
+    }
+}
+
+/// Number of shapes kept.
+const SHAPES: usize = 64;
+
+/// A part of a law without its factor, and its integral.
+#[derive(Debug)]
+pub(crate) struct Shape {
+    part: Part,
+    pub(crate) integral: AnyScale,
+    /// Whether the shape has recurred.
+    recurs: AtomicBool,
+}
+
+/// The shapes of all threads.
+#[derive(Debug, Default)]
+pub(crate) struct Shapes(RwLock<Vec<Arc<Shape>>>);
+
+impl Shapes {
+    /// The shape of a part, new or kept.
+    fn shape(&self, part: &Part, tolerance: Tolerance) -> Arc<Shape> {
+        let known = |shapes: &[Arc<Shape>]| shapes.iter().find(|s| s.part.recurs_in(part)).cloned();
+        let shapes = self.0.read().unwrap_or_else(PoisonError::into_inner);
+        if let Some(shape) = known(&shapes) {
+            shape.recurs.store(true, Ordering::Relaxed);
+            return shape;
+        }
+        drop(shapes);
+        let mut shapes = self.0.write().unwrap_or_else(PoisonError::into_inner);
+        // Another thread may have added it meanwhile.
+        if let Some(shape) = known(&shapes) {
+            return shape;
+        }
+        let part = part.without_factor();
+        let integral = AnyScale::new(part.density(), tolerance.relative());
+        let shape = Arc::new(Shape { part, integral, recurs: AtomicBool::new(false) });
+        if shapes.len() >= SHAPES {
+            shapes.retain(|shape| shape.recurs.load(Ordering::Relaxed));
+        }
+        if shapes.len() < SHAPES {
+            shapes.push(shape.clone());
+        }
+        shape
+    }
+}
+
+/// A shape of all threads, counted within one: no row writes what another thread reads.
+pub(crate) struct LocalShape(pub(crate) Arc<Shape>);
+
+/// One thread's view of the shapes.
+pub(crate) struct RecentShapes<'s> {
+    shapes: &'s Shapes,
+    tolerance: Tolerance,
+    /// Shapes of the previous case, part by part: mostly the next one's as well.
+    recent: Vec<Rc<LocalShape>>,
+}
+
+impl<'s> RecentShapes<'s> {
+    pub(crate) fn new(shapes: &'s Shapes, tolerance: Tolerance) -> Self {
+        Self { shapes, tolerance, recent: vec![] }
+    }
+
+    /// The shape of a part, at its place in the laws of a case.
+    pub(crate) fn shape(&mut self, place: usize, part: &Part) -> Rc<LocalShape> {
+        if let Some(shape) = self.recent.get(place)
+            && shape.0.part.recurs_in(part)
+        {
+            return shape.clone();
+        }
+        let shape = Rc::new(LocalShape(self.shapes.shape(part, self.tolerance)));
+        if place >= self.recent.len() {
+            self.recent.resize(place + 1, shape.clone());
+        }
+        self.recent[place] = shape.clone();
+        shape
     }
 }

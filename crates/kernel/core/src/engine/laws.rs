@@ -101,11 +101,6 @@ impl Laws {
         self.laws.iter().any(|(_, law)| is_costly(law))
     }
 
-    /// Whether a part is subtracted in any of them.
-    pub(crate) fn are_signed(&self) -> bool {
-        self.laws.iter().any(|(_, law)| law.is_signed())
-    }
-
     /// Whether they belong to this asperity and suffice.
     pub(crate) fn serve(&self, asperity: &Asperity, by_load: bool) -> bool {
         self.are_of(asperity) && (self.by_load || !by_load)

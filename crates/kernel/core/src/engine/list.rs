@@ -4,15 +4,11 @@
 use asperity_quadrature::Moments;
 
 use crate::engine::averages::{Averages, separation_at, shares};
-use crate::engine::parallel;
 use crate::engine::prepared::{Facts, Prepared};
 use crate::engine::row_integrals::{LawIntegral, RowIntegrals, answers};
-use crate::model::contact::respond;
 use crate::response::Answered;
 use crate::scene::place::SeparationInSigma;
-use crate::{
-    At, ContactError, Evaluation, OtherHeights, Quantity, Request, Response, Scene, Share,
-};
+use crate::{At, ContactError, Evaluation, OtherHeights, Quantity, Request, Scene, Share};
 
 /// Rows of a run, whose integrals are made together and stay in the cache.
 const ROWS_PER_RUN: usize = 256;
@@ -30,22 +26,15 @@ pub(crate) fn is_short(request: &Request, scene: &Scene) -> bool {
     request.at.len() <= few
 }
 
-/// The response to a request from prepared integrals.
-pub(crate) fn answer_prepared(prepared: &Prepared, request: &Request) -> Response {
-    let columns = |places: &[At]| columns(prepared, &request.quantities, places);
-    let answered = |places: &[At]| parallel::columns(places, parallel::MANY, columns);
-    respond(prepared, request, answered, |quantity, at| behind(&mut &*prepared, quantity, at))
-}
-
 /// The value behind a logarithm or a share; `None` if it is not negative for any law.
 pub(crate) fn behind<'s>(
     averages: &mut impl Averages<'s>,
     quantity: Quantity,
     at: At,
 ) -> Option<f64> {
-    averages.laws().are_signed().then_some(())?;
+    averages.laws().laws.iter().find(|(_, law)| law.is_signed())?;
     let mut row = RowIntegrals::<_>::new(averages, &[quantity], &at).ok()?;
-    Some(row.unchecked(quantity).ok()?.value())
+    Some(row.quantity(quantity).ok()?.value())
 }
 
 /// The share of every part in a quantity that follows from a single law.
@@ -55,7 +44,6 @@ pub(crate) fn shares_at<'s>(
     quantity: Quantity,
     at: &At,
 ) -> Result<Vec<Share>, ContactError> {
-    averages.check_requested(quantity)?;
     let mut laws = quantity.laws(facts.laws.own_stiffness);
     let (Some(base), None) = (laws.next(), laws.next()) else {
         let what = format!("shares of regimes in the {quantity}");
@@ -82,7 +70,11 @@ pub(crate) fn add_row(
 }
 
 /// The quantities at each place and the separations, column by column.
-fn columns(prepared: &Prepared, quantities: &[Quantity], places: &[At]) -> Vec<Vec<Answered>> {
+pub(crate) fn columns(
+    prepared: &Prepared,
+    quantities: &[Quantity],
+    places: &[At],
+) -> Vec<Vec<Answered>> {
     let mut columns = empty(quantities, places);
     let requested = quantities.iter().all(|q| prepared.facts.check_requested(*q).is_ok());
     for run in places.chunks(ROWS_PER_RUN) {
@@ -91,7 +83,7 @@ fn columns(prepared: &Prepared, quantities: &[Quantity], places: &[At]) -> Vec<V
         }
         for at in run {
             let mut averages = prepared;
-            let row = answers(&mut averages, quantities, at);
+            let row = answers(&mut averages, quantities, at, |q| prepared.facts.check_requested(q));
             add_row(&mut columns, row, separation_at(&mut averages, at));
         }
     }

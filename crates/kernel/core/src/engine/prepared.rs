@@ -5,10 +5,9 @@ use std::sync::{Arc, OnceLock};
 
 use asperity_quadrature::Moments;
 
-use crate::engine::averages::{Averages, all_parts};
-use crate::engine::height_integral::HeightIntegral;
+use crate::engine::averages::Averages;
+use crate::engine::height_integral::{HeightIntegral, LawUnits};
 use crate::engine::inverse::force_at::Falls;
-use crate::engine::law_units::LawUnits;
 use crate::engine::laws::{Laws, any_load};
 use crate::error::integral_failed;
 use crate::law::contact_radii;
@@ -153,12 +152,7 @@ impl<'p> Averages<'p> for &'p Prepared {
         self.integral(base, place, slope)
     }
 
-    fn parts(
-        &mut self,
-        base: Quantity,
-        (s, at): (f64, &At),
-        slope: bool,
-    ) -> Result<Vec<Moments>, ContactError> {
+    fn parts(&mut self, base: Quantity, (s, at): (f64, &At)) -> Result<Vec<Moments>, ContactError> {
         let Channel { law, parts, .. } = self.channel(base)?;
         let tolerance = self.facts.laws.tolerance.relative();
         let of_parts = || {
@@ -166,9 +160,8 @@ impl<'p> Averages<'p> for &'p Prepared {
             let densities = parts.iter().map(|part| part.density());
             densities.map(|alone| HeightIntegral::new(alone, law, &self.scene, tolerance)).collect()
         };
-        let parts = parts.get_or_init(of_parts).iter();
-        let integrals = parts.map(|part| if slope { part.at(s) } else { part.value(s) });
-        all_parts(integrals, base, at)
+        let values = parts.get_or_init(of_parts).iter().map(|part| part.value(s));
+        values.collect::<Result<_, _>>().map_err(integral_failed(base, at))
     }
 
     fn rises_above(&self, s: f64) -> Result<bool, ContactError> {
@@ -182,10 +175,5 @@ impl<'p> Averages<'p> for &'p Prepared {
     fn guide(&self, _: &Falls, s: f64) -> Result<Moments, ContactError> {
         let found = self.channel(Quantity::Force)?.total.guide(s, true);
         found.map_err(integral_failed(Quantity::Force, &s.into()))
-    }
-
-    #[inline]
-    fn check_requested(&self, quantity: Quantity) -> Result<(), ContactError> {
-        self.facts.check_requested(quantity)
     }
 }

@@ -4,11 +4,10 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use crate::engine::averages::separation_at;
-use crate::engine::case_integrals::CaseIntegrals;
+use crate::engine::case_integrals::{CaseIntegrals, RecentShapes, Shapes};
 use crate::engine::laws::{Laws, any_load};
 use crate::engine::parallel::map_runs;
 use crate::engine::row_integrals::RowIntegrals;
-use crate::engine::shapes::{RecentShapes, Shapes};
 use crate::{
     At, Contact, ContactError, ContactModel, Evaluation, Quantity, Request, Scene, Tolerance,
 };
@@ -123,13 +122,10 @@ impl<'s> Worker<'s> {
     /// All quantities of each case.
     fn run(&mut self, cases: &[Case]) -> Vec<Result<Vec<Evaluation>, ContactError>> {
         let quantities = &self.sweep.quantities;
-        if self.sweep.model.asperity_model().is_none() {
-            let each = |contact: &dyn Contact, case: &Case| {
-                quantities.iter().map(|quantity| contact.evaluate_at(*quantity, case.at)).collect()
-            };
-            return self.compiled(quantities, cases, each);
-        }
-        self.walk(cases, |integrals, at| {
+        let each = |contact: &dyn Contact, case: &Case| {
+            quantities.iter().map(|quantity| contact.evaluate_at(*quantity, case.at)).collect()
+        };
+        self.walk(cases, (quantities, each), |integrals, at| {
             let mut row = RowIntegrals::<_>::new(integrals, quantities, &at)?;
             quantities.iter().map(|quantity| row.quantity(*quantity)).collect()
         })
@@ -137,21 +133,29 @@ impl<'s> Worker<'s> {
 
     /// The separation of each case.
     fn separations(&mut self, cases: &[Case]) -> Vec<Result<f64, ContactError>> {
-        if self.sweep.model.asperity_model().is_none() {
-            let separation = |contact: &dyn Contact, case: &Case| {
-                Ok(contact.separation(case.at)?.in_sigma(&case.scene)?.s)
-            };
-            return self.compiled(&[Quantity::Force], cases, separation);
-        }
-        self.walk(cases, |integrals, at| Ok(separation_at(integrals, &at)?.s))
+        let each = |contact: &dyn Contact, case: &Case| {
+            Ok(contact.separation(case.at)?.in_sigma(&case.scene)?.s)
+        };
+        let answer = |integrals: &mut CaseIntegrals<'_>, at| Ok(separation_at(integrals, &at)?.s);
+        self.walk(cases, (&[Quantity::Force], each), answer)
     }
 
-    /// `answer` of every case, with its laws and its neighbours' at hand.
+    /// `answer` of every case, with its laws and its neighbours' at hand; without laws of an
+    /// asperity nothing is shared, and `each` answers from the contact compiled for `quantities`.
     fn walk<T>(
         &mut self,
         cases: &[Case],
+        (quantities, each): (&[Quantity], impl Fn(&dyn Contact, &Case) -> Result<T, ContactError>),
         answer: impl Fn(&mut CaseIntegrals<'_>, At) -> Result<T, ContactError>,
     ) -> Vec<Result<T, ContactError>> {
+        let Sweep { model, tolerance, .. } = self.sweep;
+        if model.asperity_model().is_none() {
+            let asked = Request::new(quantities.iter().copied()).within(*tolerance);
+            let of = |case: &Case| {
+                each(&*model.compile(&case.scene, &asked.clone().at([case.at]))?, case)
+            };
+            return cases.iter().map(of).collect();
+        }
         let mut before: Option<Rc<Laws>> = None;
         let mut next = cases.first().map(|case| self.averaged(case, None));
         let mut answers = Vec::with_capacity(cases.len());
@@ -188,20 +192,5 @@ impl<'s> Worker<'s> {
                 Ok((scene, Rc::new(laws)))
             }
         }
-    }
-
-    /// `answer` of every case of a model without laws of an asperity: nothing is shared.
-    fn compiled<T>(
-        &self,
-        quantities: &[Quantity],
-        cases: &[Case],
-        answer: impl Fn(&dyn Contact, &Case) -> Result<T, ContactError>,
-    ) -> Vec<Result<T, ContactError>> {
-        let Sweep { model, tolerance, .. } = self.sweep;
-        let of = |case: &Case| {
-            let request = Request::new(quantities.iter().copied()).within(*tolerance).at([case.at]);
-            answer(&*model.compile(&case.scene, &request)?, case)
-        };
-        cases.iter().map(of).collect()
     }
 }

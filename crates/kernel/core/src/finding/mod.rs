@@ -1,16 +1,14 @@
 //! Findings: refusals, warnings and notes about scans, scenes, laws and answers.
 
-mod advice;
 mod codes;
 mod collection;
-mod json;
 
 use std::borrow::Cow;
 use std::fmt;
 
-use serde::Serialize;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 
-pub use self::advice::Advice;
 pub use self::codes::Code;
 pub use self::collection::Findings;
 pub(crate) use crate::text::short;
@@ -31,6 +29,28 @@ pub enum Severity {
 impl fmt::Display for Severity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.serialize(f)
+    }
+}
+
+/// What to do about a finding, for which the program has a command, Python a function and the page
+/// a button; each front end words it. [`Display`](fmt::Display) has words for every reader.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Advice {
+    /// Use these models.
+    UseModels(&'static str),
+    /// Compare the statistics of the scan at several cut-offs.
+    CompareCutOffs,
+    /// Replace the outliers of the scan.
+    Despike,
+}
+
+impl fmt::Display for Advice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::UseModels(ids) => write!(f, "use {ids}"),
+            Self::CompareCutOffs => f.write_str("compare several cut-offs"),
+            Self::Despike => f.write_str("replace these points"),
+        }
     }
 }
 
@@ -313,4 +333,35 @@ impl Finding {
             _ => String::new(),
         }
     }
+}
+
+impl Serialize for Finding {
+    /// Writes code, severity, field, value, usual and message, and if set unit, model, also (other
+    /// models with the same finding), quantity, law, at, count and origin.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("code", &self.code)?;
+        map.serialize_entry("severity", &self.severity)?;
+        map.serialize_entry("field", &self.field)?;
+        map.serialize_entry("value", &self.value)?;
+        map.serialize_entry("usual", &self.usual)?;
+        map.serialize_entry("message", &self.to_string())?;
+        add(&mut map, "unit", Some(self.unit).filter(|unit| !unit.is_empty()))?;
+        add(&mut map, "model", self.model.as_ref())?;
+        add(&mut map, "also", Some(&self.also).filter(|also| !also.is_empty()))?;
+        add(&mut map, "quantity", self.quantity)?;
+        add(&mut map, "law", self.law.as_ref())?;
+        add(&mut map, "at", self.at)?;
+        add(&mut map, "count", self.at.map(|_| self.count))?;
+        add(&mut map, "origin", self.origin.as_ref())?;
+        map.end()
+    }
+}
+
+fn add<M: SerializeMap>(
+    map: &mut M,
+    key: &str,
+    value: Option<impl Serialize>,
+) -> Result<(), M::Error> {
+    value.map_or(Ok(()), |value| map.serialize_entry(key, &value))
 }

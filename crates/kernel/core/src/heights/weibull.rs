@@ -33,16 +33,18 @@ const SHAPES: [f64; 2] = [1.0 / 64.0, 1.0];
 /// # Ok::<(), asperity_core::ContactError>(())
 /// ```
 #[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(try_from = "Skewness", into = "Skewness")]
+#[serde(try_from = "Skewness")]
 pub struct WeibullHeights {
     skewness: f64,
+    #[serde(skip)]
     standard: Standard,
     /// Shared by scenes that share the heights.
+    #[serde(skip)]
     pub(crate) sampled: Arc<OtherHeights>,
 }
 
 /// The form in a file.
-#[derive(Serialize, Deserialize)]
+#[derive(Deserialize)]
 struct Skewness {
     skewness: f64,
 }
@@ -98,12 +100,6 @@ impl TryFrom<Skewness> for WeibullHeights {
 
     fn try_from(Skewness { skewness }: Skewness) -> Result<Self, ContactError> {
         Self::new(skewness)
-    }
-}
-
-impl From<WeibullHeights> for Skewness {
-    fn from(heights: WeibullHeights) -> Self {
-        Self { skewness: heights.skewness }
     }
 }
 

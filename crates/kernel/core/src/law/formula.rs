@@ -1,7 +1,6 @@
 //! The formula of a part of a law: a sum of powers, or any function.
 
 use std::borrow::Cow;
-use std::fmt;
 use std::sync::Arc;
 
 use asperity_quadrature::{QuadratureError, Sampler};
@@ -57,7 +56,7 @@ impl Power {
 }
 
 /// The formula of a part.
-#[derive(Clone)]
+#[derive(Debug, Clone)]
 pub enum Formula {
     /// A sum of powers.
     Powers(Vec<Power>),
@@ -132,15 +131,6 @@ impl Formula {
 impl<const N: usize> From<[Power; N]> for Formula {
     fn from(powers: [Power; N]) -> Self {
         Self::Powers(powers.to_vec())
-    }
-}
-
-impl fmt::Debug for Formula {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Powers(powers) => f.debug_list().entries(powers).finish(),
-            Self::Function { .. } => f.write_str(self.describe()),
-        }
     }
 }
 

@@ -178,7 +178,7 @@ pub trait ContactEngine: fmt::Debug + Send + Sync {
     }
 
     /// Answers a request for the quantities of this contact, row by row.
-    fn respond_to(&self, request: &Request) -> Response {
+    fn respond(&self, request: &Request) -> Response {
         let columns = |places: &[At]| -> Vec<Vec<Answered>> {
             let at = |q: Quantity, at: &At| self.evaluate_at(q, *at).map_err(Box::new);
             let of = |q: &Quantity| places.iter().map(|place| at(*q, place)).collect();
@@ -269,12 +269,6 @@ fn ranges(from: f64, to: f64) -> impl Iterator<Item = f64> {
 }
 
 impl dyn Contact + '_ {
-    /// Answers a request for the quantities this scene was compiled for, row by row.
-    #[must_use]
-    pub fn respond(&self, request: &Request) -> Response {
-        self.respond_to(request)
-    }
-
     /// Integrates all that later calls at separations from `from` to `to` \[σ_z from the mean of
     /// the asperity heights\] need, above -64: they then take no longer than any other, of
     /// compiled scenes with Gaussian heights. A search for a load begins at 0.

@@ -1,6 +1,5 @@
 //! What a model is to those who write one, and to those who use one.
 
-pub(crate) mod asperity_model;
 pub(crate) mod contact;
 pub(crate) mod contact_model;
 pub(crate) mod described;

@@ -27,12 +27,6 @@ pub(crate) struct Goal {
     pub(crate) refuse: f64,
 }
 
-impl From<f64> for Goal {
-    fn from(aim: f64) -> Self {
-        Self { aim, refuse: 4.0 * aim.max(1e-16) }
-    }
-}
-
 /// The point masses that replace `density(x) · weight(x)` on `[low, high]`.
 ///
 /// `edges` are extra panel ends that suit the weight; the density's own breaks are added. Panels
@@ -47,9 +41,9 @@ pub(crate) fn discretise(
     (low, high): (f64, f64),
     edges: &[f64],
     weight: &dyn Fn(f64) -> f64,
-    goal: impl Into<Goal>,
+    goal: Goal,
 ) -> Result<PointMasses, QuadratureError> {
-    let Goal { aim, refuse } = goal.into();
+    let Goal { aim, refuse } = goal;
     let (mut result, sampled) = own_masses(density, (low, high), edges, weight, aim)?;
     let density = sampled.as_ref().unwrap_or(density);
     let mut panels = first_panels(density, low, high, edges);
@@ -185,6 +179,12 @@ mod tests {
     use crate::Piece;
     use std::sync::Arc;
 
+    impl From<f64> for Goal {
+        fn from(aim: f64) -> Self {
+            Self { aim, refuse: 4.0 * aim.max(1e-16) }
+        }
+    }
+
     fn piece(from: f64, to: f64, origin: Option<f64>, f: fn(f64) -> f64) -> Piece {
         let sampler = move |x: &[f64], out: &mut [f64]| {
             for (out, x) in out.iter_mut().zip(x) {
@@ -196,7 +196,7 @@ mod tests {
     }
 
     fn sum(density: &Density, high: f64, tolerance: f64) -> (f64, PointMasses) {
-        let masses = discretise(density, (0.0, high), &[], &|_| 1.0, tolerance).unwrap();
+        let masses = discretise(density, (0.0, high), &[], &|_| 1.0, tolerance.into()).unwrap();
         (masses.masses.iter().sum(), masses)
     }
 
@@ -246,7 +246,7 @@ mod tests {
     fn halving_of_noise_ends_with_an_error() {
         let noise = |x: f64| 1.5 + (1e15 * x).sin();
         let density = Density { pieces: vec![piece(0.0, 2.0, None, noise)] };
-        let error = discretise(&density, (0.0, 2.0), &[], &|_| 1.0, 1e-12).unwrap_err();
+        let error = discretise(&density, (0.0, 2.0), &[], &|_| 1.0, 1e-12.into()).unwrap_err();
         let QuadratureError::NotConverged { reached, evaluations, .. } = error else {
             panic!("{error}")
         };
@@ -256,7 +256,7 @@ mod tests {
     #[test]
     fn samples_that_are_not_finite_are_refused_with_their_place() {
         let density = Density { pieces: vec![piece(0.0, 2.0, None, |x| (x - 1.0).sqrt())] };
-        let error = discretise(&density, (0.0, 2.0), &[], &|_| 1.0, 1e-12).unwrap_err();
+        let error = discretise(&density, (0.0, 2.0), &[], &|_| 1.0, 1e-12.into()).unwrap_err();
         assert!(matches!(error, QuadratureError::NotFinite { at, .. } if at < 1.0));
     }
 }

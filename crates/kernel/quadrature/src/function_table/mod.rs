@@ -1,9 +1,7 @@
 //! A costly function of x > 0, tabulated once as Chebyshev series between its kinks.
 
 mod cell;
-mod series;
 
-use std::fmt;
 use std::sync::{Arc, OnceLock};
 
 use crate::{Estimate, QuadratureError, Sampler};
@@ -21,12 +19,6 @@ type Function = dyn Fn(f64) -> Estimate + Send + Sync;
 pub struct FunctionTable {
     source: Source,
     cells: Box<[OnceLock<Result<PiecewiseSeries, QuadratureError>>]>,
-}
-
-impl fmt::Debug for FunctionTable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("FunctionTable").field("kinks", &self.kinks()).finish_non_exhaustive()
-    }
 }
 
 impl FunctionTable {

@@ -11,7 +11,7 @@ const FIRST: f64 = 0.1;
 
 /// The point masses of one integral, made for one s: exact there, and good enough to look for a
 /// root nearby.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Nearby {
     from: f64,
     points: Vec<f64>,
@@ -24,15 +24,6 @@ pub struct Nearby {
 }
 
 impl Nearby {
-    const EMPTY: Self = Self {
-        from: 0.0,
-        points: vec![],
-        masses: vec![],
-        error: 0.0,
-        evaluations: 0,
-        reach: REACH,
-    };
-
     /// Integrates `density(t/scale)` against φ(s + t) to a relative `tolerance`, without a rule.
     ///
     /// # Errors
@@ -63,7 +54,7 @@ impl Nearby {
         // that makes of panels is worse, and nearly averages out.
         let rounding = f64::EPSILON * s.min(0.0).abs();
         let error = rounding + ROUNDING;
-        let mut made = Self { from: s, error, ..Self::EMPTY };
+        let mut made = Self { from: s, error, reach: REACH, ..Self::default() };
         let weight = Weight::new(s, scale * density.begin());
         if weight.depth > DEEPEST {
             return Ok(made);

@@ -99,7 +99,10 @@ pub(crate) fn masses(
     let (mut depth, mut evaluations) = (CUT, 0);
     loop {
         let (near, far) = window(depth);
-        let mut found = masses_on(density, scale, (s, (near, far)), weight, goal)?;
+        let edges: Vec<f64> = edges(s, (near, far)).iter().map(|t| t / scale).collect();
+        let range = (near / scale, far / scale);
+        let mut found = discretise(density, range, &edges, &|x| weight(x * scale) * scale, goal)?;
+        found.points.iter_mut().for_each(|x| *x *= scale);
         found.evaluations += evaluations;
         let strip = STRIP * (far - near);
         let (mut left, mut total) = (0.0, 0.0);
@@ -118,19 +121,4 @@ pub(crate) fn masses(
         }
         (depth, evaluations) = ((2.0 * depth).min(WIDEST * CUT), found.evaluations);
     }
-}
-
-/// The density times a weight of t as point masses in t. Panels suit φ(s + t) on the window.
-fn masses_on(
-    density: &Density,
-    scale: f64,
-    (s, window): (f64, (f64, f64)),
-    weight: &dyn Fn(f64) -> f64,
-    goal: Goal,
-) -> Result<PointMasses, QuadratureError> {
-    let edges: Vec<f64> = edges(s, window).iter().map(|t| t / scale).collect();
-    let range = (window.0 / scale, window.1 / scale);
-    let mut masses = discretise(density, range, &edges, &|x| weight(x * scale) * scale, goal)?;
-    masses.points.iter_mut().for_each(|x| *x *= scale);
-    Ok(masses)
 }

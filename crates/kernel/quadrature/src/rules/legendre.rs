@@ -99,11 +99,11 @@ impl Legendre {
     /// only: beside the kinks of lateral laws it is slower than geometric, by 5e-12.
     pub(crate) fn error(&self, samples: &[f64]) -> f64 {
         let tail = self.tail(samples);
-        let largest = samples.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
-        if tail <= 3e-14 * largest {
+        let size = samples.iter().fold(0.0, |m: f64, f| m.max(f.abs()));
+        if tail <= 3e-14 * size {
             return 0.0;
         }
-        let middle = self.middle(samples);
+        let middle = largest(&self.middle, samples);
         let fall = if middle > tail { tail / middle } else { 1.0 };
         10.0 * tail * fall
     }
@@ -113,11 +113,6 @@ impl Legendre {
     pub(crate) fn at_ends(&self, samples: &[f64]) -> [f64; 2] {
         let at = |row: &Vec<f64>| row.iter().zip(samples).map(|(r, f)| r * f).sum();
         [at(&self.ends[0]), at(&self.ends[1])]
-    }
-
-    /// The largest of three Legendre coefficients around degree n/2.
-    pub(crate) fn middle(&self, samples: &[f64]) -> f64 {
-        largest(&self.middle, samples)
     }
 }
 

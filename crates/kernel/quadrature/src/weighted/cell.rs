@@ -1,7 +1,7 @@
 //! One cell of an integral over a weight: Chebyshev series in d.
 
 use super::integral::SCALED;
-use super::sums::Sums;
+use super::integrand::Sums;
 use crate::Moments;
 use crate::chebyshev::{chebyshev_sum, chebyshev_terms};
 
@@ -10,6 +10,7 @@ pub(super) const TERMS: usize = 12;
 const LAST: usize = 3;
 
 /// The integral over a range of d.
+#[derive(Debug)]
 pub(super) struct Series {
     map: Map,
     /// Value, slope and their sizes, over exp(`ln_scale`); no sizes if they equal the values.

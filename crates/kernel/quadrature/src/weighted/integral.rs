@@ -2,10 +2,9 @@
 
 use std::sync::OnceLock;
 
-use super::integrand::Integrand;
+use super::integrand::{Integrand, Sums};
 use super::run::Run;
 use super::strip::View;
-use super::sums::Sums;
 use super::weight::Weight;
 use crate::{Density, Moments, QuadratureError, WeightFault};
 

@@ -22,10 +22,8 @@ mod integrand;
 mod overlap_series;
 mod panel;
 mod run;
-mod slope;
 mod source;
 mod strip;
-mod sums;
 mod tree;
 mod weight;
 

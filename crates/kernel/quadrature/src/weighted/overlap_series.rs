@@ -1,11 +1,10 @@
 //! An integral over a weight as Chebyshev series in d, made when first needed.
 
-use std::fmt;
 use std::sync::{Arc, OnceLock};
 
 use super::cell::{Map, Sample, Series, TERMS, ln_size};
 use super::integral::Overlap;
-use super::sums::Sums;
+use super::integrand::Sums;
 use super::weight::Weight;
 use crate::chebyshev::chebyshev_roots;
 use crate::{Moments, QuadratureError};
@@ -36,6 +35,7 @@ const REACH: f64 = 64.0;
 ///
 /// A cell is made when a d first falls into it, by bisection, with an error measured against the
 /// integral itself; cells are shared by all threads.
+#[derive(Debug)]
 pub struct OverlapSeries {
     overlap: Arc<Overlap>,
     weight: Arc<Weight>,
@@ -45,16 +45,11 @@ pub struct OverlapSeries {
     root: Node,
 }
 
-impl fmt::Debug for OverlapSeries {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("OverlapSeries").field("range", &self.range).finish_non_exhaustive()
-    }
-}
-
 /// A range of d, made when first needed.
-#[derive(Default)]
+#[derive(Debug, Default)]
 struct Node(OnceLock<State>);
 
+#[derive(Debug)]
 enum State {
     Series(Box<Series>),
     /// The range is divided here; the index of the meeting if breaks and kinks meet here.

@@ -1,10 +1,8 @@
 //! One integral: groups far from the kinks of the density first, then strips, refined together.
 
 use super::fit::FAINT;
-use super::integrand::Integrand;
-use super::slope::{DERIVED, Slopes};
-use super::strip::{Strip, View};
-use super::sums::Sums;
+use super::integrand::{Integrand, Sums};
+use super::strip::{DERIVED, Slopes, Strip, View};
 use super::tree::{Node, Parts};
 use super::weight::{OCTAVES, Weight};
 use crate::chebyshev::lobatto::{NODES, dot, lobatto};

@@ -1,11 +1,19 @@
 //! The logarithm of a weight, as its author defines it.
 
+use std::fmt;
+
 use crate::{QuadratureError, WeightFault};
 
 /// The name of a weight, and the function that returns its logarithm.
 pub(crate) struct Source {
     pub(crate) name: String,
     pub(crate) ln: Box<dyn Fn(f64) -> f64 + Send + Sync>,
+}
+
+impl fmt::Debug for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.name)
+    }
 }
 
 impl Source {

@@ -1,6 +1,5 @@
 //! A weight as panels, made once for all integrals over it.
 
-use std::fmt;
 use std::sync::OnceLock;
 
 use super::fit::Fitter;
@@ -16,6 +15,7 @@ pub(crate) const BULK: i32 = 3;
 
 /// A probability density with its ends, kinks, jumps and poles, as panels on which it is smooth
 /// but for a power of the distance to one end.
+#[derive(Debug)]
 pub struct Weight {
     pub(crate) source: Source,
     /// Ascending and contiguous.
@@ -27,15 +27,6 @@ pub struct Weight {
     pub(super) breaks: Vec<f64>,
     /// Above this place the weight underflows.
     pub(crate) faint: Option<f64>,
-}
-
-impl fmt::Debug for Weight {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Weight")
-            .field("name", &self.source.name)
-            .field("panels", &self.panels.len())
-            .finish_non_exhaustive()
-    }
 }
 
 impl Weight {
@@ -101,6 +92,7 @@ impl Weight {
 type Octave = OnceLock<Result<Vec<Panel>, QuadratureError>>;
 
 /// A weight far out: panels octave by octave, made when first needed.
+#[derive(Debug)]
 pub(crate) struct Tail {
     pub(super) anchor: f64,
     pub(crate) side: f64,

@@ -1,8 +1,8 @@
-//! An integral over heights with any density.
+//! Integrals over heights with any density, and over exponential ones.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, LazyLock, OnceLock};
 
-use asperity_quadrature::{Moments, Overlap, OverlapSeries, QuadratureError, Weight};
+use asperity_quadrature::{Density, Moments, Overlap, OverlapSeries, QuadratureError, Weight};
 
 use crate::OtherHeights;
 
@@ -17,7 +17,7 @@ pub(super) struct Extent {
 /// An integral over heights with any density, directly or by its cells.
 #[derive(Debug)]
 pub(super) struct OverlapIntegral {
-    pub(super) overlap: Arc<Overlap>,
+    overlap: Arc<Overlap>,
     cells: OnceLock<OverlapSeries>,
 }
 
@@ -67,5 +67,79 @@ impl Other {
             error,
             ..found
         })
+    }
+}
+
+/// exp(-ζ) on ζ ≥ 0.
+pub(super) static EXPONENTIAL: LazyLock<Result<Arc<Weight>, QuadratureError>> =
+    LazyLock::new(|| {
+        let ln = |z: f64| if z < 0.0 { f64::NEG_INFINITY } else { -z };
+        Weight::new("the exponential density", ln, (0.0, f64::INFINITY), &[], 0.0).map(Arc::new)
+    });
+
+/// Tolerance of an integral over its slope's, a difference of two integrals far below 0: a
+/// separation of a thousand σ_z takes away as much.
+const FINER: f64 = 1e-3;
+
+/// Exponential heights: for s ≥ 0 one integral serves all s, I(s) = I(0) exp(-s).
+#[derive(Debug)]
+pub(super) struct Exponential {
+    density: Density,
+    scale: f64,
+    pub(super) below: OverlapIntegral,
+    /// For slopes that are small differences of the values of `below`.
+    finer: OnceLock<OverlapIntegral>,
+    above: OnceLock<Result<Moments, QuadratureError>>,
+    tolerance: f64,
+}
+
+impl Exponential {
+    pub(super) fn new(density: Density, scale: f64, tolerance: f64) -> Self {
+        let below = OverlapIntegral::new(Overlap::new(density.clone(), scale, tolerance));
+        let (finer, above) = (OnceLock::new(), OnceLock::new());
+        Self { density, scale, below, finer, above, tolerance }
+    }
+
+    pub(super) fn at(&self, s: f64, extent: Extent) -> Result<Moments, QuadratureError> {
+        let weight = EXPONENTIAL.as_ref().map_err(Clone::clone)?;
+        if s < 0.0 {
+            return self.below(weight, s, extent);
+        }
+        let at_zero = self.above.get_or_init(|| self.below.overlap.at(weight, 0.0, false));
+        let Moments { value, sizes: [size, _], ln_scale, error, .. } =
+            *at_zero.as_ref().map_err(Clone::clone)?;
+        Ok(Moments { value, slope: value, sizes: [size; 2], ln_scale: ln_scale - s, error })
+    }
+
+    fn below(
+        &self,
+        weight: &Arc<Weight>,
+        s: f64,
+        extent: Extent,
+    ) -> Result<Moments, QuadratureError> {
+        if !extent.slope || self.density.knows_slope() {
+            return self.below.at(weight, s, extent);
+        }
+        let found = self.by_parts(&self.below, weight, s, extent)?;
+        if found.slope_within(s, self.tolerance).is_ok() {
+            return Ok(found);
+        }
+        let finer = || Overlap::new(self.density.clone(), self.scale, FINER * self.tolerance);
+        let finer = self.finer.get_or_init(|| OverlapIntegral::new(finer()));
+        self.by_parts(finer, weight, s, extent)
+    }
+
+    /// The slope by parts: it includes the lowest asperity, at -s.
+    pub(super) fn by_parts(
+        &self,
+        integral: &OverlapIntegral,
+        weight: &Arc<Weight>,
+        s: f64,
+        extent: Extent,
+    ) -> Result<Moments, QuadratureError> {
+        let found = integral.at(weight, s, Extent { slope: false, ..extent })?;
+        let lowest = self.density.value_at(-s / self.scale)? * (-found.ln_scale).exp();
+        let sizes = [found.sizes[0], found.sizes[0] + lowest.abs()];
+        Ok(Moments { slope: found.value - lowest, sizes, ..found })
     }
 }

@@ -145,6 +145,11 @@ pub(crate) enum Course {
 }
 
 impl Interval {
+    /// The parts below and above a sample in it.
+    pub(crate) fn parts(self, middle: Sample) -> [Self; 2] {
+        [Self { high: middle, ..self }, Self { low: middle, ..self }]
+    }
+
     pub(crate) fn width(&self) -> f64 {
         self.high.s - self.low.s
     }

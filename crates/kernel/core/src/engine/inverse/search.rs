@@ -3,9 +3,9 @@
 use asperity_quadrature::{bracketed_root, fallible};
 
 use crate::ContactError;
-use crate::engine::inverse::ALL_TOUCH;
 use crate::engine::inverse::force_at::{ForceAt, Landmark};
 use crate::engine::inverse::interval::{Course, Interval, Level, Sample};
+use crate::engine::inverse::{ALL_TOUCH, unresolved};
 use crate::scene::place::{HIGHEST, LOWEST};
 
 /// Separations at which a search gives up.
@@ -110,29 +110,17 @@ impl ForceAt<'_> {
                 let met = interval.crosses(level) || interval.touches(level);
                 found.extend(met.then_some(interval.high.s));
             } else {
-                let Interval { low, high } = interval;
-                let middle = match self.middle(interval)? {
-                    Middle::Sample(middle) => middle,
-                    Middle::Edge(edge) => {
-                        open.push(Interval { low, high: edge });
-                        continue;
-                    }
-                };
+                let Some(middle) = self.middle(interval, &mut open)? else { continue };
                 match interval.course(&middle, level) {
                     Course::Apart => {}
                     Course::Monotone => found.extend(self.root(interval, level)?),
                     Course::OneTurn => {
-                        let turn = self.turn(interval)?;
-                        let [left, right] = [(low, turn), (turn, high)];
-                        for (low, high) in [right, left] {
-                            found.extend(self.root(Interval { low, high }, level)?);
+                        for part in interval.parts(self.turn(interval)?).into_iter().rev() {
+                            found.extend(self.root(part, level)?);
                         }
                     }
                     Course::Unknown if interval.keeps(-level.sign, &middle) => {}
-                    Course::Unknown => {
-                        open.push(Interval { low, high: middle });
-                        open.push(Interval { low: middle, high });
-                    }
+                    Course::Unknown => open.extend(interval.parts(middle)),
                 }
             }
             if first_only && !found.is_empty() {
@@ -143,14 +131,19 @@ impl ForceAt<'_> {
     }
 
     /// The sample in the middle of an interval; or, where hardly any height is left there and none
-    /// at its upper end, the last one that there is.
-    fn middle(&self, Interval { low, high }: Interval) -> Result<Middle, ContactError> {
+    /// at its upper end, nothing, and the interval up to the last sample that there is stays open.
+    fn middle(
+        &self,
+        Interval { low, high }: Interval,
+        open: &mut Vec<Interval>,
+    ) -> Result<Option<Sample>, ContactError> {
         let middle = 0.5 * (low.s + high.s);
         match self.sample(middle) {
             Err(ContactError::Integral { .. }) if high.is_nothing() && !low.is_nothing() => {
-                self.last(middle, low).map(Middle::Edge)
+                open.push(Interval { low, high: self.last(middle, low)? });
+                Ok(None)
             }
-            found => found.map(Middle::Sample),
+            found => found.map(Some),
         }
     }
 
@@ -205,38 +198,19 @@ impl ForceAt<'_> {
             if unlike || interval.is_narrow() {
                 continue;
             }
-            let Interval { low, high } = interval;
-            let middle = match self.middle(interval)? {
-                Middle::Sample(middle) => middle,
-                Middle::Edge(edge) => {
-                    best = larger(best, edge, sign);
-                    open.push(Interval { low, high: edge });
-                    continue;
-                }
-            };
+            // The upper end may be the last sample that there is, not seen before.
+            best = larger(best, interval.high, sign);
+            let Some(middle) = self.middle(interval, &mut open)? else { continue };
             best = larger(best, middle, sign);
             match interval.course(&middle, level) {
                 Course::Apart | Course::Monotone => {}
                 Course::OneTurn => best = larger(best, self.turn(interval)?, sign),
                 Course::Unknown if interval.keeps(-sign, &middle) => {}
-                Course::Unknown => {
-                    open.push(Interval { low, high: middle });
-                    open.push(Interval { low: middle, high });
-                }
+                Course::Unknown => open.extend(interval.parts(middle)),
             }
         }
         Err(unresolved(LOWEST, HIGHEST))
     }
-}
-
-/// What there is in the middle of an interval.
-enum Middle {
-    Sample(Sample),
-    Edge(Sample),
-}
-
-pub(crate) fn unresolved(from: f64, to: f64) -> ContactError {
-    ContactError::Unresolved { from: from.into(), to: to.into() }
 }
 
 /// The one whose force times `sign` is larger.
