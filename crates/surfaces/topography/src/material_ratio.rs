@@ -39,6 +39,30 @@ impl Topography {
         }
         Ok(MaterialRatio { heights })
     }
+
+    /// Functional parameters of the surface, which should be [levelled](Self::level) and filtered,
+    /// in SI units: `sk` to `vvv`; of a profile `rk` to `rmr2`, `rz`, `rsm` and `rdq`.
+    ///
+    /// # Errors
+    /// [`TopographyError::Flat`] when all heights are equal.
+    pub fn functional(&self) -> Result<Vec<Reported>, TopographyError> {
+        let values = self.material_ratio()?.functional();
+        let profile = usize::from(self.is_profile());
+        let row =
+            |(row, value): ([&'static str; 4], f64)| (row[profile], Some(value), row[2], row[3]);
+        let mut rows: Vec<Number> = FUNCTIONAL.into_iter().zip(values).map(row).collect();
+        rows.retain(|(name, ..)| !name.is_empty());
+        if self.is_profile() {
+            let [rz, rsm] = self.profile_elements();
+            let [[rdq, _], _] = self.at_distance(1);
+            rows.extend([
+                ("rz", rz, "m", "mean height from lowest to highest point, of five sections"),
+                ("rsm", rsm, "m", "mean width of a hill with a dale"),
+                ("rdq", rdq, "", "rms slope between neighbouring points"),
+            ]);
+        }
+        Ok(rows.into_iter().map(reported).collect())
+    }
 }
 
 impl MaterialRatio {
@@ -152,32 +176,6 @@ const FUNCTIONAL: [[&str; 4]; 9] = [
     ["vvc", "", "m3/m2", "voids between the heights of 10 and 80 %"],
     ["vvv", "", "m3/m2", "voids below the height of 80 %"],
 ];
-
-impl Topography {
-    /// Functional parameters of the surface, which should be [levelled](Self::level) and filtered,
-    /// in SI units: `sk` to `vvv`; of a profile `rk` to `rmr2`, `rz`, `rsm` and `rdq`.
-    ///
-    /// # Errors
-    /// [`TopographyError::Flat`] when all heights are equal.
-    pub fn functional(&self) -> Result<Vec<Reported>, TopographyError> {
-        let values = self.material_ratio()?.functional();
-        let profile = usize::from(self.is_profile());
-        let row =
-            |(row, value): ([&'static str; 4], f64)| (row[profile], Some(value), row[2], row[3]);
-        let mut rows: Vec<Number> = FUNCTIONAL.into_iter().zip(values).map(row).collect();
-        rows.retain(|(name, ..)| !name.is_empty());
-        if self.is_profile() {
-            let [rz, rsm] = self.profile_elements();
-            let [[rdq, _], _] = self.at_distance(1);
-            rows.extend([
-                ("rz", rz, "m", "mean height from lowest to highest point, of five sections"),
-                ("rsm", rsm, "m", "mean width of a hill with a dale"),
-                ("rdq", rdq, "", "rms slope between neighbouring points"),
-            ]);
-        }
-        Ok(rows.into_iter().map(reported).collect())
-    }
-}
 
 #[cfg(test)]
 mod tests {

@@ -80,6 +80,21 @@ impl Moments {
         let root = wide * ((3.0 * correlation / (2.0 * wide)).asinh() / 3.0).sinh();
         correlation + root
     }
+
+    /// The principal axes of the [tensor of the slopes](Self::slope_tensor); `None` for a profile
+    /// and without slopes.
+    #[must_use]
+    pub fn texture(&self) -> Option<Texture> {
+        let [xx, xy, yy] = self.slope_tensor?;
+        let (mean, half) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
+        let across = mean + half;
+        // The difference would cancel.
+        let along = (xx * yy - xy * xy).max(0.0) / across;
+        let turned = 0.5 * xy.atan2(0.5 * (xx - yy)).to_degrees();
+        let direction = if turned > 0.0 { turned - 90.0 } else { turned + 90.0 };
+        let found = Texture { slope_along: along.sqrt(), slope_across: across.sqrt(), direction };
+        (across > 0.0).then_some(found)
+    }
 }
 
 impl Topography {
@@ -163,23 +178,6 @@ impl Texture {
     #[must_use]
     pub fn ratio(&self) -> Option<f64> {
         (self.slope_along > 0.0).then(|| self.slope_across / self.slope_along)
-    }
-}
-
-impl Moments {
-    /// The principal axes of the [tensor of the slopes](Self::slope_tensor); `None` for a profile
-    /// and without slopes.
-    #[must_use]
-    pub fn texture(&self) -> Option<Texture> {
-        let [xx, xy, yy] = self.slope_tensor?;
-        let (mean, half) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
-        let across = mean + half;
-        // The difference would cancel.
-        let along = (xx * yy - xy * xy).max(0.0) / across;
-        let turned = 0.5 * xy.atan2(0.5 * (xx - yy)).to_degrees();
-        let direction = if turned > 0.0 { turned - 90.0 } else { turned + 90.0 };
-        let found = Texture { slope_along: along.sqrt(), slope_across: across.sqrt(), direction };
-        (across > 0.0).then_some(found)
     }
 }
 

@@ -51,6 +51,41 @@ impl Summits {
     pub fn mean(&self) -> f64 {
         self.heights.iter().sum::<f64>() / self.heights.len() as f64
     }
+
+    /// The density of the summits' heights about their mean, as a frequency polygon: counts in
+    /// bins of equal width, joined by lines from middle to middle. Its integral is 1, its mean 0
+    /// and its standard deviation σ_z. The width is 2.15 σ_z n^(-1/5), which makes the mean
+    /// squared error of a polygon smallest for n Gaussian heights (Scott 1985). \[recalled\]
+    ///
+    /// # Errors
+    /// [`TopographyError`] as in [`Summits::surface`].
+    pub fn height_density(&self) -> Result<HeightDensity, TopographyError> {
+        let std = self.surface()?.asperity_height_std;
+        let n = self.heights.len() as f64;
+        let width = 2.15 * std * n.powf(-0.2);
+        let [lowest, highest] = extremes(&self.heights);
+        // No height is further than σ_z √n from the mean, so there are fewer than n bins.
+        let bins = ((highest - lowest) / width).floor() as usize + 1;
+        let first = 0.5 * (lowest + highest - width * bins as f64);
+        let mut counts = vec![0usize; bins + 2];
+        for height in &self.heights {
+            let bin = ((height - first) / width) as usize;
+            counts[1 + bin.min(bins - 1)] += 1;
+        }
+        let middle = |bin: usize| first + (bin as f64 - 0.5) * width;
+        let sum = |term: &dyn Fn(f64) -> f64| {
+            counts.iter().enumerate().map(|(i, count)| *count as f64 * term(middle(i))).sum::<f64>()
+        };
+        let mean = sum(&|z| z) / n;
+        // A count stands for a triangle of half-width `width`. Bins and triangles widen the
+        // density; scaling the heights restores σ_z.
+        let variance = sum(&|z| (z - mean).powi(2)) / n + width * width / 6.0;
+        let scale = std / variance.sqrt();
+        let heights_m = (0..counts.len()).map(|bin| scale * (middle(bin) - mean)).collect();
+        let density_per_m =
+            counts.iter().map(|count| *count as f64 / (n * width * scale)).collect();
+        Ok(HeightDensity { heights_m, density_per_m })
+    }
 }
 
 impl Topography {
@@ -121,43 +156,6 @@ pub struct HeightDensity {
     pub heights_m: Vec<f64>,
     /// Density at these heights \[1/m\]; 0 at the first and the last.
     pub density_per_m: Vec<f64>,
-}
-
-impl Summits {
-    /// The density of the summits' heights about their mean, as a frequency polygon: counts in
-    /// bins of equal width, joined by lines from middle to middle. Its integral is 1, its mean 0
-    /// and its standard deviation σ_z. The width is 2.15 σ_z n^(-1/5), which makes the mean
-    /// squared error of a polygon smallest for n Gaussian heights (Scott 1985). \[recalled\]
-    ///
-    /// # Errors
-    /// [`TopographyError`] as in [`Summits::surface`].
-    pub fn height_density(&self) -> Result<HeightDensity, TopographyError> {
-        let std = self.surface()?.asperity_height_std;
-        let n = self.heights.len() as f64;
-        let width = 2.15 * std * n.powf(-0.2);
-        let [lowest, highest] = extremes(&self.heights);
-        // No height is further than σ_z √n from the mean, so there are fewer than n bins.
-        let bins = ((highest - lowest) / width).floor() as usize + 1;
-        let first = 0.5 * (lowest + highest - width * bins as f64);
-        let mut counts = vec![0usize; bins + 2];
-        for height in &self.heights {
-            let bin = ((height - first) / width) as usize;
-            counts[1 + bin.min(bins - 1)] += 1;
-        }
-        let middle = |bin: usize| first + (bin as f64 - 0.5) * width;
-        let sum = |term: &dyn Fn(f64) -> f64| {
-            counts.iter().enumerate().map(|(i, count)| *count as f64 * term(middle(i))).sum::<f64>()
-        };
-        let mean = sum(&|z| z) / n;
-        // A count stands for a triangle of half-width `width`. Bins and triangles widen the
-        // density; scaling the heights restores σ_z.
-        let variance = sum(&|z| (z - mean).powi(2)) / n + width * width / 6.0;
-        let scale = std / variance.sqrt();
-        let heights_m = (0..counts.len()).map(|bin| scale * (middle(bin) - mean)).collect();
-        let density_per_m =
-            counts.iter().map(|count| *count as f64 / (n * width * scale)).collect();
-        Ok(HeightDensity { heights_m, density_per_m })
-    }
 }
 
 #[cfg(test)]

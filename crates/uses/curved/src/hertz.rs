@@ -24,6 +24,32 @@ impl Hertz {
         let within = 1.0 - (x / self.axes[0]).powi(2) - (y / self.axes[1]).powi(2);
         self.peak_pressure * within.max(0.0).sqrt()
     }
+
+    /// The contact of these smooth bodies with the equivalent modulus \[Pa\] at a load \[N\].
+    #[must_use]
+    pub fn new(shape: &Shape, modulus: f64, load: f64) -> Self {
+        match *shape {
+            Shape::Point { radius_x, radius_y } => {
+                let (long, short) = (radius_x.max(radius_y), radius_x.min(radius_y));
+                let (ratio, [k, difference]) = ellipse(long, short);
+                // A = 1/(2 R) along the long axis is (p₀/E)(b/a²)(K - E)/e².
+                let a = (3.0 * load * long * difference / (PI * modulus)).cbrt();
+                let b = a * ratio;
+                let peak_pressure = 1.5 * load / (PI * a * b);
+                let approach = Some(peak_pressure / modulus * b * k);
+                let axes = if radius_x >= radius_y { [a, b] } else { [b, a] };
+                Self { axes, peak_pressure, approach }
+            }
+            Shape::Line { radius, length, reference_length } => {
+                let load = load / length;
+                let a = (4.0 * load * radius / (PI * modulus)).sqrt();
+                let depth = 2.0 * load / (PI * modulus);
+                let approach = reference_length.map(|l| depth * ((2.0 * l / a).ln() + 0.5));
+                let axes = [a, 0.5 * length];
+                Self { axes, peak_pressure: 2.0 * load / (PI * a), approach }
+            }
+        }
+    }
 }
 
 /// K(e) and (K(e) - E(e))/e² of an ellipse with half axes of the ratio b/a = √(1 - e²), by the
@@ -76,34 +102,6 @@ fn ellipse(long: f64, short: f64) -> (f64, [f64; 2]) {
     }
     let ratio = (low * high).sqrt();
     (ratio, elliptic(ratio))
-}
-
-impl Hertz {
-    /// The contact of these smooth bodies with the equivalent modulus \[Pa\] at a load \[N\].
-    #[must_use]
-    pub fn new(shape: &Shape, modulus: f64, load: f64) -> Self {
-        match *shape {
-            Shape::Point { radius_x, radius_y } => {
-                let (long, short) = (radius_x.max(radius_y), radius_x.min(radius_y));
-                let (ratio, [k, difference]) = ellipse(long, short);
-                // A = 1/(2 R) along the long axis is (p₀/E)(b/a²)(K - E)/e².
-                let a = (3.0 * load * long * difference / (PI * modulus)).cbrt();
-                let b = a * ratio;
-                let peak_pressure = 1.5 * load / (PI * a * b);
-                let approach = Some(peak_pressure / modulus * b * k);
-                let axes = if radius_x >= radius_y { [a, b] } else { [b, a] };
-                Self { axes, peak_pressure, approach }
-            }
-            Shape::Line { radius, length, reference_length } => {
-                let load = load / length;
-                let a = (4.0 * load * radius / (PI * modulus)).sqrt();
-                let depth = 2.0 * load / (PI * modulus);
-                let approach = reference_length.map(|l| depth * ((2.0 * l / a).ln() + 0.5));
-                let axes = [a, 0.5 * length];
-                Self { axes, peak_pressure: 2.0 * load / (PI * a), approach }
-            }
-        }
-    }
 }
 
 #[cfg(test)]

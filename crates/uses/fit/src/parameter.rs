@@ -33,6 +33,41 @@ impl Role {
             _ => Self::Scene,
         }
     }
+
+    /// Where a parameter of the rig starts, its usual bounds, and the size of a change that
+    /// matters; `None` for a number of the scene.
+    ///
+    /// # Errors
+    /// [`FitError::Parameter`] for data that do not depend on it.
+    pub fn usual(
+        self,
+        data: &Data,
+        scene: &Scene,
+    ) -> Result<Option<(f64, [f64; 2], f64)>, FitError> {
+        let without_effect = |name: &str, needed: &str| FitError::Parameter {
+            parameter: name.into(),
+            reason: format!("the data have no column that depends on it: {needed} was required"),
+        };
+        let [offset, compliance] = Self::RIG;
+        let std = scene.surface.asperity_height_std;
+        match self {
+            Self::Scene => Ok(None),
+            Self::SeparationOffset => {
+                let ends = readings(data).ok_or_else(|| without_effect(offset, "separation_m"))?;
+                let [low, high] = ends;
+                let beyond = USUAL_FACTOR * std;
+                // Contacts carry most loads at separations of about twice the deviation.
+                let start = 0.5 * (low + high) - 2.0 * std;
+                Ok(Some((start, [low - beyond, high + beyond], std)))
+            }
+            Self::SeriesCompliance => {
+                let usual = usual_compliance(data, scene).ok_or_else(|| {
+                    without_effect(compliance, "separation_m or a normal stiffness")
+                })?;
+                Ok(Some((usual, [usual / USUAL_FACTOR, usual * USUAL_FACTOR], usual)))
+            }
+        }
+    }
 }
 
 /// A free parameter: varied in its logarithm between positive bounds, linearly otherwise.
@@ -111,43 +146,6 @@ impl Parameter {
     pub(crate) fn shown(&self, value: f64) -> String {
         let gap = if self.unit.is_empty() { "" } else { " " };
         format!("{}{gap}{}", short(value), self.unit)
-    }
-}
-
-impl Role {
-    /// Where a parameter of the rig starts, its usual bounds, and the size of a change that
-    /// matters; `None` for a number of the scene.
-    ///
-    /// # Errors
-    /// [`FitError::Parameter`] for data that do not depend on it.
-    pub fn usual(
-        self,
-        data: &Data,
-        scene: &Scene,
-    ) -> Result<Option<(f64, [f64; 2], f64)>, FitError> {
-        let without_effect = |name: &str, needed: &str| FitError::Parameter {
-            parameter: name.into(),
-            reason: format!("the data have no column that depends on it: {needed} was required"),
-        };
-        let [offset, compliance] = Self::RIG;
-        let std = scene.surface.asperity_height_std;
-        match self {
-            Self::Scene => Ok(None),
-            Self::SeparationOffset => {
-                let ends = readings(data).ok_or_else(|| without_effect(offset, "separation_m"))?;
-                let [low, high] = ends;
-                let beyond = USUAL_FACTOR * std;
-                // Contacts carry most loads at separations of about twice the deviation.
-                let start = 0.5 * (low + high) - 2.0 * std;
-                Ok(Some((start, [low - beyond, high + beyond], std)))
-            }
-            Self::SeriesCompliance => {
-                let usual = usual_compliance(data, scene).ok_or_else(|| {
-                    without_effect(compliance, "separation_m or a normal stiffness")
-                })?;
-                Ok(Some((usual, [usual / USUAL_FACTOR, usual * USUAL_FACTOR], usual)))
-            }
-        }
     }
 }
 

@@ -88,31 +88,7 @@ impl<'s> Solution<'s> {
             parameters: self.estimates,
         }
     }
-}
 
-/// Root mean square of the logarithms of fitted over measured values.
-fn rms(data: &Data, values: &[f64]) -> Option<f64> {
-    let ratios = data.iter().zip(values).filter(|(one, _)| !one.measured.is_difference());
-    let ratios = ratios.map(|(one, value)| (value / one.value).ln());
-    let finite: Vec<f64> = ratios.filter(|ratio| ratio.is_finite()).collect();
-    (!finite.is_empty()).then(|| (squares(&finite) / finite.len() as f64).sqrt())
-}
-
-/// The Bayesian information criterion, for normal residuals of known or unknown deviation.
-fn bic(data: &Data, squares: f64, rank: usize) -> Option<f64> {
-    let count = data.len() as f64;
-    // One value ranks no model, also where no parameter changes it.
-    if data.len() <= rank.max(1) {
-        return None;
-    }
-    let misfit = match data.has_std() {
-        true => squares,
-        false => count * (squares / count).max(ACCURACY * ACCURACY).ln(),
-    };
-    Some(misfit + rank as f64 * count.ln())
-}
-
-impl Solution<'_> {
     /// The doubts `not-converged`, `limits` and `undetermined`; the last two have the parameter and
     /// its value.
     fn doubts(&self) -> Findings {
@@ -166,4 +142,26 @@ impl Solution<'_> {
             },
         )
     }
+}
+
+/// Root mean square of the logarithms of fitted over measured values.
+fn rms(data: &Data, values: &[f64]) -> Option<f64> {
+    let ratios = data.iter().zip(values).filter(|(one, _)| !one.measured.is_difference());
+    let ratios = ratios.map(|(one, value)| (value / one.value).ln());
+    let finite: Vec<f64> = ratios.filter(|ratio| ratio.is_finite()).collect();
+    (!finite.is_empty()).then(|| (squares(&finite) / finite.len() as f64).sqrt())
+}
+
+/// The Bayesian information criterion, for normal residuals of known or unknown deviation.
+fn bic(data: &Data, squares: f64, rank: usize) -> Option<f64> {
+    let count = data.len() as f64;
+    // One value ranks no model, also where no parameter changes it.
+    if data.len() <= rank.max(1) {
+        return None;
+    }
+    let misfit = match data.has_std() {
+        true => squares,
+        false => count * (squares / count).max(ACCURACY * ACCURACY).ln(),
+    };
+    Some(misfit + rank as f64 * count.ln())
 }

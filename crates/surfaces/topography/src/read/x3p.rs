@@ -26,15 +26,14 @@ type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| damaged("x3p", CUT_SHORT))?;
     let (folder, xml) = main_xml(&mut archive)?;
-    let description = Description::parse(&xml)?;
+    let Description { columns, rows, increments, stored, data } = Description::parse(&xml)?;
     drop(xml);
-    let (columns, rows) = (description.columns, description.rows);
     let n = points(columns, rows)?;
-    let size: usize = description.stored.iter().map(|stored| stored.sample.size).sum();
-    let mut numbers = match description.data {
-        Data::Numbers(numbers) if numbers.len() == n * description.stored.len() => numbers,
+    let size: usize = stored.iter().map(|one| one.sample.size).sum();
+    let mut numbers = match data {
+        Data::Numbers(numbers) if numbers.len() == n * stored.len() => numbers,
         Data::Numbers(numbers) => {
-            let found = format!("{} points", numbers.len() / description.stored.len());
+            let found = format!("{} points", numbers.len() / stored.len());
             return Err(refuse("x3p DataList", found, format!("{n}, by MatrixDimension")));
         }
         Data::Entries { points, valid } => {
@@ -44,16 +43,16 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
                 let required = format!("at least {packed} bytes for these points");
                 return Err(refuse("x3p MatrixDimension", found, required));
             }
-            let mut numbers = Vec::with_capacity(n * description.stored.len());
+            let mut numbers = Vec::with_capacity(n * stored.len());
             unpack(&mut archive, &(folder.clone() + &points), [n, size], |mut record| {
-                for stored in &description.stored {
-                    let (number, rest) = record.split_at(stored.sample.size);
-                    numbers.push(stored.sample.number(number));
+                for one in &stored {
+                    let (number, rest) = record.split_at(one.sample.size);
+                    numbers.push(one.sample.number(number));
                     record = rest;
                 }
             })?;
             if let Some(valid) = valid {
-                let mut points = numbers.chunks_mut(description.stored.len());
+                let mut points = numbers.chunks_mut(stored.len());
                 unpack(&mut archive, &(folder + &valid), [n.div_ceil(8), 1], |byte| {
                     for (bit, point) in (0..8).zip(&mut points) {
                         if byte.iter().all(|byte| byte >> bit & 1 == 0) {
@@ -65,21 +64,21 @@ pub(super) fn scan(bytes: &[u8]) -> Result<Scan, TopographyError> {
             numbers
         }
     };
-    for point in numbers.chunks_mut(description.stored.len()) {
-        for (number, stored) in point.iter_mut().zip(&description.stored) {
+    for point in numbers.chunks_mut(stored.len()) {
+        for (number, one) in point.iter_mut().zip(&stored) {
             // Instruments mark missing points by NaN or by infinity.
             let finite = if number.is_finite() { *number } else { f64::NAN };
-            *number = finite * stored.step + stored.offset;
+            *number = finite * one.step + one.offset;
         }
     }
     let unit = Some(LengthUnit::METRE);
-    if description.stored.len() == 3 {
+    if stored.len() == 3 {
         let placed = |point: &&[f64]| point.iter().take(2).all(|place| !place.is_nan());
         let placed = numbers.chunks(3).filter(placed).flatten().copied().collect();
         let (heights, columns, pixel_size) = grid(placed)?;
         return Ok(Scan::new(heights, columns, unit, pixel_size));
     }
-    let [Some(dx), Some(dy)] = description.increments else {
+    let [Some(dx), Some(dy)] = increments else {
         let points = numbers.chunks(2).filter(|point| point.iter().all(|number| !number.is_nan()));
         let (places, heights) = points.map(|point| (point[0], point[1])).unzip();
         let (scan, step) = profile(places, heights)?;
