@@ -175,7 +175,7 @@ impl SceneFile {
         }
         let own = Provenance::default();
         let at = self.origin.as_deref().unwrap_or(&own).place("curvature");
-        let reason = "films, boundary elements, joints, exports and fits are of flat bodies: write nominal_area instead of [curvature]";
+        let reason = "separations, films, boundary elements, joints, exports and fits are of flat bodies: write nominal_area instead of [curvature]";
         Err(SceneError::refused(at, reason))
     }
 

@@ -9,7 +9,7 @@ use asperity_scene::{Free, SceneError, read_measurements};
 use pyo3::prelude::*;
 
 use crate::ask::long::run_interruptible;
-use crate::convert::{Object, object, value_error, warn, warn_unless};
+use crate::convert::{Object, object, value_error, warn, warn_of_ranges, warn_unless};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -29,6 +29,7 @@ pub(crate) fn fit<'py>(
     free: Vec<String>,
     engines: Vec<Py<Engine>>,
 ) -> PyResult<Object<'py>> {
+    warn_of_ranges(py, &scene.0, 1)?;
     let file = &*scene.0;
     let table = match data {
         Measurements::Columns(columns) => MeasuredTable { columns, lines: vec![] },

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::convert::axis::Axis;
-use crate::convert::{Object, object, tolerance, value_error, warn_unless};
+use crate::convert::{Object, object, tolerance, value_error, warn_of_ranges, warn_unless};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -56,6 +56,7 @@ pub(crate) fn contact_table<'py>(
     form: (&str, &str),
     conductance: bool,
 ) -> PyResult<Contact<'py>> {
+    warn_of_ranges(py, &scene.0, 1)?;
     let (model, file) = (engine.on(&scene.0)?, &scene.0);
     let format = form.0.parse::<TableFormat>();
     let format =

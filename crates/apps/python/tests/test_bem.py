@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import os
 import signal
 import threading
@@ -199,6 +200,20 @@ def test_sealing_pressures_are_those_of_samples(scene: asperity.Scene) -> None:
     assert gaps[0] > 0
     with pytest.raises(ValueError, match="samples is 1"):
         asperity.sealing_pressure(scene, samples=1)
+
+
+def test_a_scan_counts_by_what_was_measured(scene: asperity.Scene, tmp_path: Path) -> None:
+    assert copy.copy(scene) is scene and copy.deepcopy(scene) is scene
+    text = scene.to_toml()
+    np.save(tmp_path / "scan.npy", 2.0 * rough())
+    other = asperity.Scene.parse(text)
+    assert other.to_toml() == text and other != scene
+    solved = asperity.bem(scene, pressure=2e8, maps=False)
+    for wrong in (other, scene.replace(hardness=3e9)):
+        with pytest.raises(ValueError, match="solved is not of this scene"):
+            wrong.answer(pressure=2e8, solved=solved)
+    with pytest.raises(TypeError, match="level was given beside a scene"):
+        asperity.bem(scene, pressure=2e8, level="quadratic")
 
 
 def test_what_was_solved_is_an_input_of_the_answer(scene: asperity.Scene) -> None:

@@ -43,6 +43,27 @@ def test_scenes_by_file_and_by_keyword_are_the_same() -> None:
     assert scene != scene.replace(nominal_area=1.0)
 
 
+def test_keys_of_a_surface_are_those_of_a_file() -> None:
+    keys = {"asperity_radius": 2e-4, "asperity_density": 2e8, "asperity_height_std": "1 um"}
+    steel = asperity.Interface(116e9, 0.31, hardness=1.12e9)
+    of_keys = asperity.Scene(steel, {**keys, "separation_from": "surface-mean"}, nominal_area=1e-4)
+    beside = asperity.Scene(steel, keys, nominal_area=1e-4, separation_from="surface-mean")
+    assert of_keys == beside and of_keys.separation_from == "surface-mean"
+    twice = {**keys, "separation_from": "surface-mean"}
+    with pytest.raises(TypeError, match="separation_from is given twice"):
+        asperity.Scene(steel, twice, nominal_area=1e-4, separation_from="asperity-mean")
+
+
+def test_texts_with_units_are_read_wherever_numbers_are_replaced() -> None:
+    body = asperity.Body("210 GPa", 0.3, hardness="2 GPa")
+    pair = asperity.Interface.between(body, body)
+    scene = asperity.Scene(pair, asperity.Surface(2e-4, 2e8, 1e-6), nominal_area=1e-4)
+    harder = scene.replace(body1_hardness="3 GPa", body2_hardness="4 GPa")
+    assert harder.interface.hardness == 3e9
+    vickers = scene.replace(hardness="200 HV")
+    assert scene.vary(hardness=["200 HV", "2 GPa"])[0] == vickers
+
+
 def test_results_are_contiguous_doubles_in_the_broadcast_shape(scene: asperity.Scene) -> None:
     ke = asperity.model("ke")
     every_second = np.linspace(0, 4, 18, dtype=np.float32).reshape(3, 6)[:, ::2]

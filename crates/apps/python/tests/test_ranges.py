@@ -34,6 +34,22 @@ def test_keys_are_kept_and_single_numbers_are_those_in_the_middle() -> None:
     assert ground.surface == ground.at("middle").surface
 
 
+@pytest.mark.filterwarnings("ignore:undetermined", "ignore:limits")
+def test_whoever_takes_the_middle_says_so() -> None:
+    ground, ke = scene(counterface="smooth"), asperity.model("ke")
+    data = {"load_N": [10.0, 100.0], "tangent_N_per_m": [1e8, 1e9]}
+    for asked in (
+        lambda: ke.compile(ground),
+        lambda: ke.separation_at(ground, 1.0),
+        lambda: ke.unloading(ground, load=10.0),
+        lambda: asperity.export(ke, ground, load=(1.0, 10.0), nodes=3),
+        lambda: asperity.fit(ground, data, "hardness", "ke"),
+        lambda: asperity.sweep(ground, {"load": [1.0, 2.0]}, "ke"),
+    ):
+        with pytest.warns(asperity.ContactWarning, match="taken-at: calculated in the middle"):
+            asked()
+
+
 def test_ranges_are_those_of_the_corners() -> None:
     ground, model = scene(counterface=GROUND), asperity.model("ke")
     pressures = np.array([1e6, 1e7])

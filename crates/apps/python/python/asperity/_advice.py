@@ -12,6 +12,7 @@ import numpy.typing as npt
 from asperity import _asperity
 from asperity._arguments import floats, in_si, method_of, one_number, place
 from asperity._asperity import Scene
+from asperity._bem import BemContacts
 from asperity._model import Model, as_model
 from asperity._table import Table, aligned
 
@@ -66,7 +67,7 @@ def answer(
     approach: npt.ArrayLike | None = None,
     rtol: float = 1e-10,
     solve: bool = False,
-    solved: Table | None = None,
+    solved: BemContacts | None = None,
 ) -> Answer:
     """What is known best about the scene under loads: by boundary elements on its scan, where that
     was solved; else as they are expected from solved surfaces, with an interval that holds nine
@@ -86,6 +87,8 @@ def answer(
     """
     axis, given = place(load=load, pressure=pressure, approach=approach)
     numbers = floats(given, axis).ravel().tolist()
+    if solved is not None and solved.scene != self:
+        raise ValueError("solved is not of this scene: asperity.bem(scene, ...) solves its scan")
     solving: Any = solve if solved is None else _solved(solved)
     table, (behind, lines) = _asperity.best(self, (axis, numbers), quantities, rtol, solving)
     found = Answer(*table)

@@ -28,12 +28,13 @@ def method_of(kind: type) -> Callable[[Method], Method]:
     return add
 
 
-def in_si(numbers: Any, si: str) -> Any:
-    """Texts with a unit, "100 nm" or a sequence of them, in an SI unit; numbers as they are."""
+def in_si(numbers: Any, si: str, key: str = "") -> Any:
+    """Texts with a unit, "100 nm" or a sequence of them, in an SI unit; numbers as they are. Those of
+    the key of a hardness may be results of hardness tests."""
 
     def one(given: Any) -> float:
         if isinstance(given, str):
-            return _asperity.quantity(given, si)
+            return _asperity.quantity(given, si, key)
         raise TypeError(f"{given!r} has no unit: give every value a unit, or no value")
 
     if isinstance(numbers, str):

@@ -31,6 +31,8 @@ class BemContacts(Table):
     pressures: Floats | None
     #: Gaps of the pixels [m], below 0 by the plastic depth; None without ``maps``.
     gaps: Floats | None
+    #: The scene that was solved with its own options; None of others.
+    scene: Scene | None
 
 
 def bem(
@@ -58,7 +60,7 @@ def bem(
     interface : Interface
         The two bodies; for a Topography.
     level : "plane", "quadratic", "mean" or "none"
-        The form removed first: by default the plane, from a periodic Topography the mean.
+        The form removed first from a Topography: by default the plane, of a periodic one the mean.
     elastic : bool
         Ignores the hardness: pressures are unlimited.
     boundary : "periodic", "periodic-part" or "free"
@@ -99,7 +101,9 @@ def bem(
     found, kept, pixels = _asperity.bem(scan, (name, values), maps, quantities or None)
     contacts = BemContacts(*found)
     pressures, gaps = (None, None) if kept is None else (map.reshape(-1, *pixels) for map in kept)
-    vars(contacts).update(pressures=pressures, gaps=gaps)
+    is_own = isinstance(surface, Scene) and boundary is None and not elastic
+    of = surface if is_own else None
+    vars(contacts).update(pressures=pressures, gaps=gaps, scene=of)
     return contacts
 
 

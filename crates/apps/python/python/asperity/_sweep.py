@@ -120,6 +120,7 @@ def sweep(
     """
     import xarray as xr
 
+    scene._warn_of_ranges()
     axis, arrays = _arrays(scene, inputs, separation_unit)
     engines, heads = as_models(model), _asperity.quantities(quantities)
     whole = xr.broadcast(*arrays.values())
@@ -223,7 +224,7 @@ def _identity(
         models.append([engine.id, repr(engine.options), definition])
     return {
         "asperity": version("asperity"),
-        "scene": hashlib.sha256(scene.to_toml().encode()).hexdigest(),
+        "scene": hashlib.sha256(scene._identity().encode()).hexdigest(),
         "models": models,
         "quantities": list(heads),
         "rtol": rtol,

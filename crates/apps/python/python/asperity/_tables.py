@@ -12,7 +12,7 @@ from asperity._asperity import Scene
 from asperity._model import Model, as_model
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ContactTable:
     """Pressure over clearance at nodes; ``print`` it, or ``save`` its text."""
 

@@ -13,7 +13,7 @@ use crate::ask::long::run_stretches;
 use crate::ask::over::Given;
 use crate::ask::rows::sigmas;
 use crate::convert::axis::Axis;
-use crate::convert::{Object, Quantities, value_error};
+use crate::convert::{Object, Quantities, value_error, warn_of_ranges};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -56,6 +56,7 @@ impl Contact {
         rtol: f64,
         separation_unit: Object<'_>,
     ) -> PyResult<Self> {
+        warn_of_ranges(py, &scene.get().0, 1)?;
         let file = scene.get().0.clone();
         let request = quantities.request(rtol)?.at_loads([1.0]);
         let compiled = Mutex::new(compile(py, model.get(), &file, &request)?);

@@ -23,7 +23,7 @@ impl<'py> Given<'py> {
         if let Some(number) = scalar(numbers) {
             return Ok((Self::One([number]), false));
         }
-        let read = in_si(numbers, si)?;
+        let read = in_si(numbers, si, "")?;
         let given = match scalar(&read) {
             Some(number) => Self::One([number]),
             None => Self::Many(floats(&read, name)?.readonly()),

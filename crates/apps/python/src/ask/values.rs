@@ -12,7 +12,7 @@ use crate::ask::advice::check_rows;
 use crate::ask::answer::Aspect;
 use crate::ask::asked::{Arguments, Asked, Failures, ROWS_PER_TASK, arrays, split};
 use crate::convert::axis::Axis;
-use crate::convert::{Object, warning};
+use crate::convert::{Object, value_error, warn_of_ranges, warning};
 
 /// The model's name on these scenes; quantities of every row, NaN where a row fails, by name; the
 /// failures, and the texts of findings.
@@ -56,6 +56,11 @@ pub(crate) fn separations<'py>(
 ) -> PyResult<(Object<'py>, Failures)> {
     let asked = Asked::new(asked)?;
     let rows = &asked.rows;
+    if let Some(file) = rows.one_file() {
+        // Curved bodies have an approach, a quantity.
+        file.need_flat().map_err(value_error)?;
+        warn_of_ranges(py, file, 1)?;
+    }
     let of = |contact: &dyn Contact, row, found| unit.of(found, rows.datum(row), contact.scene());
     if all {
         // All separations of a load take long.

@@ -4,7 +4,7 @@ use asperity::bem::{Bem, BemOptions, Continuation};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::convert::{Object, value_error, warn_unless};
+use crate::convert::{Object, value_error, warn_of_ranges, warn_unless};
 use crate::records::{instance, type_of};
 use crate::scene::SceneFile;
 use crate::topography::Topography;
@@ -27,12 +27,13 @@ impl Pressed {
     pub(super) fn new((surface, interface, level, pressing): Arguments<'_>) -> PyResult<Self> {
         let given = options(pressing)?;
         if let Ok(scene) = surface.cast::<SceneFile>() {
-            return match interface {
-                None => Self::of_scene(surface.py(), (*scene.get().0).clone(), given),
-                Some(_) => Err(PyTypeError::new_err(
-                    "interface was given beside a scene, which has its own",
-                )),
-            };
+            let own = [("interface", interface.is_some()), ("level", level.is_some())];
+            if let Some((name, _)) = own.iter().find(|(_, is_given)| *is_given) {
+                let reason = format!("{name} was given beside a scene, which has its own");
+                return Err(PyTypeError::new_err(reason));
+            }
+            warn_of_ranges(surface.py(), &scene.get().0, 1)?;
+            return Self::of_scene(surface.py(), (*scene.get().0).clone(), given);
         }
         let Ok(topography) = surface.cast::<Topography>() else {
             let found = type_of(&surface);

@@ -3,7 +3,7 @@
 pub(crate) mod axis;
 pub(crate) mod numbers;
 
-use asperity::{Advice, Code, ContactError, Finding, Quantity, Request, Tolerance};
+use asperity::{Advice, Code, ContactError, Finding, Quantity, Request, Severity, Tolerance};
 use asperity_quadrature::QuadratureError;
 use pyo3::create_exception;
 use pyo3::exceptions::{PyRuntimeError, PyUserWarning, PyValueError};
@@ -62,6 +62,17 @@ pub(crate) fn warn_unless(
     above: usize,
 ) -> PyResult<()> {
     if found.is_accepted(accept) { Ok(()) } else { warn(py, found, above) }
+}
+
+/// Warns where numbers of a scene are known within ranges, of which the middle is taken.
+pub(crate) fn warn_of_ranges(
+    py: Python<'_>,
+    file: &asperity_scene::SceneFile,
+    above: usize,
+) -> PyResult<()> {
+    let taken = file.taken_at("middle").map_err(value_error)?.1;
+    let taken = taken.map(|note| note.severity(Severity::Warning));
+    taken.map_or(Ok(()), |note| warn_unless(py, &file.spec.accept, &note, above))
 }
 
 /// The text of a warning, which filters of warnings find by its code.

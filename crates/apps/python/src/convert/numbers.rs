@@ -22,9 +22,10 @@ pub(crate) fn scalar(number: &Object<'_>) -> Option<f64> {
 /// An argument `name` of `owner` as a number in SI units, from a number or a text with a unit that
 /// fits the key of this name in scene files.
 pub(crate) fn number(owner: &str, name: &str, given: &Object<'_>) -> PyResult<f64> {
-    let has_unit = asperity_scene::unit_of(name).is_some();
+    let key = asperity_scene::key_of_input(name);
+    let has_unit = asperity_scene::unit_of(key).is_some();
     if let Some(text) = given.cast::<PyString>().ok().filter(|_| has_unit) {
-        let read = |text: &str| asperity_scene::quantity_of(name, text);
+        let read = |text: &str| asperity_scene::quantity_of(key, text);
         return with_unit(text.to_str()?, read).map_err(|error| {
             PyTypeError::new_err(format!("{owner}: {name}: {}", error.value(given.py())))
         });
@@ -48,7 +49,7 @@ pub(crate) fn argument<'a, 'py, T: FromPyObject<'a, 'py, Error = PyErr>>(
 
 /// The error about an argument that is no number.
 pub(crate) fn no_number(owner: &str, name: &str, shown: &str) -> PyErr {
-    let needed = asperity_scene::unit_of(name)
+    let needed = asperity_scene::unit_of(asperity_scene::key_of_input(name))
         .map_or(String::new(), |unit| format!(" in {unit}, or a text with a unit"));
     PyTypeError::new_err(format!("{owner}: {name} is {shown}: give a number{needed}"))
 }
@@ -62,17 +63,21 @@ fn with_unit(text: &str, read: impl Fn(&str) -> Result<f64, String>) -> PyResult
     read(text).map_err(PyTypeError::new_err)
 }
 
-/// A text with a unit as a number in an SI unit.
+/// A text with a unit as a number in an SI unit; of a `key`, which may be a hardness.
 #[pyfunction]
-pub(crate) fn quantity(text: &str, si: &str) -> PyResult<f64> {
-    with_unit(text, |text| asperity_scene::quantity(text, si))
+#[pyo3(signature = (text, si, key=""))]
+pub(crate) fn quantity(text: &str, si: &str, key: &str) -> PyResult<f64> {
+    with_unit(text, |text| match key {
+        "" => asperity_scene::quantity(text, si),
+        key => asperity_scene::quantity_of(key, text),
+    })
 }
 
-/// Texts with a unit, "100 nm" or a sequence of them, as numbers in an SI unit, by the package;
-/// numbers are returned as they are.
-pub(crate) fn in_si<'py>(numbers: &Object<'py>, si: &str) -> PyResult<Object<'py>> {
+/// Texts with a unit, "100 nm" or a sequence of them, as numbers of a key in its SI unit, by the
+/// package; numbers are returned as they are.
+pub(crate) fn in_si<'py>(numbers: &Object<'py>, si: &str, key: &str) -> PyResult<Object<'py>> {
     let package = numbers.py().import("asperity._arguments")?;
-    package.getattr("in_si")?.call1((numbers, si))
+    package.getattr("in_si")?.call1((numbers, si, key))
 }
 
 /// A contiguous array of doubles, by the package.

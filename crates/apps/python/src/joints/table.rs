@@ -9,7 +9,7 @@ use pyo3::types::{PyFloat, PyTuple};
 use crate::ask::over::Given;
 use crate::convert::axis::{Axis, METRES};
 use crate::convert::numbers::{floats, scalar};
-use crate::convert::{Object, value_error};
+use crate::convert::{Object, value_error, warn_of_ranges};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -58,6 +58,7 @@ impl JointTable {
         tolerance: f64,
         separation_unit: Object<'_>,
     ) -> PyResult<Self> {
+        warn_of_ranges(py, &scene.get().0, 1)?;
         let file = scene.get().0.clone();
         let parsed = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let axis: Axis = separation_unit.extract()?;

@@ -9,7 +9,7 @@ use crate::ask::advice::check_scene;
 use crate::ask::over::Given;
 use crate::convert::axis::{Axis, METRES};
 use crate::convert::numbers::in_si;
-use crate::convert::{Object, tolerance, value_error, warn, warn_unless};
+use crate::convert::{Object, tolerance, value_error, warn, warn_of_ranges, warn_unless};
 use crate::model::engine::Engine;
 use crate::scene::SceneFile;
 
@@ -53,6 +53,7 @@ impl Unloading {
         rtol: f64,
         separation_unit: Object<'_>,
     ) -> PyResult<Self> {
+        warn_of_ranges(py, &scene.get().0, 1)?;
         let file = scene.get().0.clone();
         let law = law.parse().map_err(|error| value_error(format!("law: {error}")))?;
         let (axis, unit): (Axis, Axis) = (place.0.extract()?, separation_unit.extract()?);
@@ -204,7 +205,7 @@ impl PartialSlip {
         amplitude: &Object<'py>,
         forth: bool,
     ) -> PyResult<Object<'py>> {
-        let amplitude: f64 = in_si(amplitude, "m")?.extract()?;
+        let amplitude: f64 = in_si(amplitude, "m", "")?.extract()?;
         self.over(shift, ("shift", "m"), |slip, u| slip.loop_force(u, amplitude, forth))
     }
 

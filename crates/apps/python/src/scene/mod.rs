@@ -9,11 +9,12 @@ use std::sync::Arc;
 use asperity::{Code, ContactError, HeightDistribution, Quantity};
 use asperity_scene::{Bodies, Keys, key_of_input};
 use pyo3::IntoPyObjectExt;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple};
 
 use crate::convert::numbers::{in_si, number};
-use crate::convert::{Object, Quantities, object, refused, value_error, warn};
+use crate::convert::{Object, Quantities, object, refused, value_error, warn, warn_of_ranges};
 use crate::reading::found;
 use crate::records::{self, instance};
 use arguments::{KeyValue, heights_key, inputs, keys_of};
@@ -71,7 +72,7 @@ impl SceneFile {
     #[new]
     #[pyo3(
         signature = (
-            interface, surface, nominal_area=None, heights=None, separation_from="asperity-mean",
+            interface, surface, nominal_area=None, heights=None, separation_from=None,
             mean_plane_offset=None, options=None, accept=vec![], curvature=None
         ),
         text_signature = "(interface, surface, nominal_area=None, heights='gaussian', separation_from='asperity-mean', mean_plane_offset=None, options=None, accept=(), curvature=None)"
@@ -82,7 +83,7 @@ impl SceneFile {
         surface: &Object<'_>,
         nominal_area: Option<&Object<'_>>,
         heights: Option<&Object<'_>>,
-        separation_from: &str,
+        separation_from: Option<&str>,
         mean_plane_offset: Option<&Object<'_>>,
         options: Option<BTreeMap<String, KeyValue>>,
         accept: Vec<String>,
@@ -94,12 +95,18 @@ impl SceneFile {
                 records::surface_keys(surface)?.into_iter().map(|(k, x)| (k, x.into())).collect()
             }
         };
-        if let Some(given) = heights {
-            of_surface.insert("heights".into(), heights_key(given)?);
-        }
-        of_surface.insert("separation_from".into(), separation_from.into());
         let offset = mean_plane_offset.map(|given| number("Scene", "mean_plane_offset", given));
-        of_surface.extend(offset.transpose()?.map(|x| ("mean_plane_offset".into(), x.into())));
+        for (key, value) in [
+            ("heights", heights.map(heights_key).transpose()?),
+            ("separation_from", separation_from.map(Into::into)),
+            ("mean_plane_offset", offset.transpose()?.map(Into::into)),
+        ] {
+            let Some(value) = value else { continue };
+            if of_surface.insert(key.into(), value).is_some() {
+                let reason = format!("Scene: {key} is given twice, in surface and beside it");
+                return Err(PyTypeError::new_err(reason));
+            }
+        }
         let of_pair = instance("interface", interface)?;
         let bodies = Bodies::of(records::bodies(interface)?, of_pair);
         let area = nominal_area.map(|given| number("Scene", "nominal_area", given)).transpose()?;
@@ -309,12 +316,17 @@ impl SceneFile {
         inputs(&self.0, given.keys().extract::<Vec<String>>()?.iter())?;
         let found = given.copy()?;
         for (name, value) in given {
-            let unit = asperity_scene::unit_of(key_of_input(name.extract()?));
-            if let Some(unit) = unit {
-                found.set_item(name, in_si(&value, unit)?)?;
+            let key = key_of_input(name.extract()?);
+            if let Some(unit) = asperity_scene::unit_of(key) {
+                found.set_item(&name, in_si(&value, unit, key)?)?;
             }
         }
         Ok(found)
+    }
+
+    /// Warns where numbers are known within ranges, of which the middle is taken.
+    fn _warn_of_ranges(&self, py: Python<'_>) -> PyResult<()> {
+        warn_of_ranges(py, &self.0, 1)
     }
 
     /// The id of the default reference of comparisons.
@@ -322,8 +334,22 @@ impl SceneFile {
         asperity::usual_reference(&self.0.scene)
     }
 
+    /// The text of the scene, and what was measured on its scans, whose files may change.
+    fn _identity(&self) -> PyResult<String> {
+        let measured = self.0.measured.as_ref().map(|of| &of.statistics);
+        Ok(format!("{}{measured:?}", self.to_toml(None)?))
+    }
+
     fn __eq__(&self, other: &Self) -> PyResult<bool> {
-        Ok(self.to_toml(None)? == other.to_toml(None)?)
+        Ok(self._identity()? == other._identity()?)
+    }
+
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: Object<'_>) -> Py<Self> {
+        slf
     }
 
     fn __repr__(&self) -> PyResult<String> {

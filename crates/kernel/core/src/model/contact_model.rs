@@ -87,9 +87,12 @@ fn law_of(
         (_, Derivation::Bodies) => unsupported(format!(
             "{quantity} of flat surfaces; [curvature] in the scene describes curved bodies"
         )),
-        (_, Derivation::Flow | Derivation::Gap) => {
+        (_, Derivation::Flow) => {
             unsupported(format!("{quantity}, which follows from the film alone"))
         }
+        (_, Derivation::Gap) => unsupported(format!(
+            "{quantity}, to which [gap] adds its gas: curve and answer have it"
+        )),
         _ => Err(lacking()),
     }
 }
