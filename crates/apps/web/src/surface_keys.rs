@@ -166,7 +166,16 @@ pub(crate) fn described(text: &str, way: &str, file: &SceneFile) -> Result<Strin
         }
         _ => [radius, density, std].map(rounded).into(),
     };
-    let mut changes = removals(|key| keys.contains(&key.name));
+    // What is not of a scan, or of one of two surfaces, stays.
+    let (written, is_pair) = (fields(text), file.scene.pair.is_some());
+    let stays = |name: &str| match name {
+        "heights" => written.get("surface.heights").is_none_or(|given| given != "measured"),
+        "mean_plane_offset" | "peklenik_number" => !is_pair,
+        _ => true,
+    };
+    let mut changes = removals(|key| {
+        keys.contains(&key.name) || key.subject == Subject::Surface && stays(key.name)
+    });
     // The numbers are of both surfaces together.
     changes.push(surface_key("counterface", None));
     let set = keys.iter().zip(values).map(|(key, value)| surface_key(key, Some(value)));
@@ -222,6 +231,17 @@ mod tests {
     use std::path::Path;
 
     use super::*;
+
+    #[test]
+    fn what_no_way_says_stays_in_every_way() {
+        let kept = "heights = { skewness = -0.5 }\npeklenik_number = 2.0\nmean_plane_offset = 1e-6";
+        let text = asperity_scene::template().replace("heights = \"gaussian\"", kept);
+        let file = asperity_scene::parse(&text, Path::new(".")).unwrap();
+        for way in ["index", "moments", "iso", "asperities"] {
+            let edited = described(&text, way, &file).unwrap();
+            assert!(kept.lines().all(|line| edited.contains(line)), "{way}: {edited}");
+        }
+    }
 
     #[test]
     fn a_surface_is_the_same_in_every_way() {
