@@ -34,14 +34,21 @@ pub fn legendre(n: usize) -> &'static Legendre {
     RULES[n - 1].get_or_init(|| Legendre::new(n))
 }
 
+/// P_0(x) to P_n(x), n ≥ 1.
+fn polynomials(n: usize, x: f64) -> Vec<f64> {
+    let mut all = Vec::with_capacity(n + 1);
+    all.extend([1.0, x]);
+    for k in 2..=n {
+        let order = k as f64;
+        all.push(((2.0 * order - 1.0) * x * all[k - 1] - (order - 1.0) * all[k - 2]) / order);
+    }
+    all
+}
+
 /// P_n(x) and P_n'(x) for |x| < 1.
 fn polynomial(n: usize, x: f64) -> (f64, f64) {
-    let (mut previous, mut current) = (1.0, x);
-    for k in 2..=n {
-        let k = k as f64;
-        (previous, current) = (current, ((2.0 * k - 1.0) * x * current - (k - 1.0) * previous) / k);
-    }
-    (current, n as f64 * (previous - x * current) / (1.0 - x * x))
+    let all = polynomials(n, x);
+    (all[n], n as f64 * (all[n - 1] - x * all[n]) / (1.0 - x * x))
 }
 
 impl Legendre {
@@ -61,23 +68,17 @@ impl Legendre {
                 (weights[i], weights[n - 1 - i]) = (weight, weight);
             }
         }
+        let at_nodes: Vec<_> = nodes.iter().map(|x| polynomials(n, 2.0 * x - 1.0)).collect();
         let row = |degree: usize| -> Vec<f64> {
             let scale = 2.0 * degree as f64 + 1.0;
-            nodes
-                .iter()
-                .zip(&weights)
-                .map(|(x, w)| {
-                    let p = if degree == 0 { 1.0 } else { polynomial(degree, 2.0 * x - 1.0).0 };
-                    scale * w * p
-                })
-                .collect()
+            at_nodes.iter().zip(&weights).map(|(p, w)| scale * w * p[degree]).collect()
         };
         let rows = |top: usize| [0, 1, 2].map(|k| row(top.saturating_sub(k)));
         let (tail, middle) = (rows(n - 1), rows(n / 2 + 1));
         let end = |x: f64| -> Vec<f64> {
             let mut sum = row(0);
-            for degree in 1..n {
-                let p = polynomial(degree, 2.0 * x - 1.0).0;
+            for (degree, p) in polynomials(n, 2.0 * x - 1.0).into_iter().enumerate().take(n).skip(1)
+            {
                 sum.iter_mut().zip(row(degree)).for_each(|(sum, r)| *sum += p * r);
             }
             sum
