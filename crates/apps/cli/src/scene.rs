@@ -89,8 +89,8 @@ impl LoadedScene {
         show(&self.file.accepted(found).at_least(Severity::Warning));
     }
 
-    /// A sheet, as this function fills it before the terminal; its findings are shown, also where it
-    /// fails.
+    /// A sheet, as this function fills it before the terminal; its findings are shown, also
+    /// where it fails.
     pub fn answer<T, E: Into<Error>>(
         &self,
         fill: impl FnOnce(&mut Sheet, &Terminal) -> Result<T, E>,

@@ -21,7 +21,8 @@ pub(crate) fn term(term: &str) -> String {
     }
 }
 
-/// Name, for a variant the id, authors and year, the differences of a variant, and range of a model.
+/// Name, for a variant the id, authors and year, the differences of a variant, and range of a
+/// model.
 pub(crate) fn model_sentence(model: &Model) -> String {
     let (id, citation) = (model.id(), model.citation());
     let name = if id.contains('-') { id } else { model.name() };
