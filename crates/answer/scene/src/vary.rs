@@ -23,7 +23,8 @@ fn named<T>(
 impl SceneFile {
     /// Every number of this scene that can be replaced, by its name: the keys that its file has or
     /// can have beside the others, of two bodies for both of them and as `body1_hardness` and so on
-    /// for one, of two surfaces for the first and as `counterface_m0` and so on for the second.
+    /// for one, of two surfaces for the first (both where they are written as the same) and as
+    /// `counterface_m0` and so on for the second.
     #[must_use]
     pub fn all_inputs(&self) -> Vec<(String, SceneInput)> {
         let SceneSpec { curvature, gas, .. } = &self.spec;

@@ -76,7 +76,7 @@ mod correlation;
 mod joint;
 mod path;
 #[cfg(test)]
-mod published;
+mod published_tests;
 mod retreat_model;
 mod slip;
 mod strips;
