@@ -1,6 +1,6 @@
 //! Curved bodies: the section `[curvature]`.
 
-use asperity::ContactError;
+use asperity::{ContactError, require};
 use asperity_curved::Shape;
 use serde::{Deserialize, Serialize};
 
@@ -62,10 +62,9 @@ impl Curvature {
         if ways.iter().filter(|is_used| **is_used).count() > 1 {
             return refused(&format!("the radii are given in more than one way: write {WAYS}"));
         }
-        if let Some(zero) = each.into_iter().flatten().find(|radius| *radius == 0.0) {
-            let required = "a radius that is not 0 (leave a flat direction out)";
-            return Err(ContactError::OutOfRange { field: "radius", value: zero, required });
-        }
+        let is_zero = each.into_iter().flatten().any(|radius| radius == 0.0);
+        let required = "a radius that is not 0 (leave a flat direction out)";
+        require(!is_zero, "radius", 0.0, required)?;
         let [x, y] = match self.radius {
             Some(radius) => [Some(radius); 2],
             None if ways[2] => {
@@ -75,11 +74,9 @@ impl Curvature {
         };
         for (field, radius) in [("radius_x", x), ("radius_y", y)] {
             let Some(value) = radius else { continue };
-            if !(value > 0.0 && value.is_finite()) {
-                let required = "a relative radius above 0: 1/R = 1/R1 + 1/R2, a hollow body with less curvature than the other";
-                let field = if self.radius.is_some() { "radius" } else { field };
-                return Err(ContactError::OutOfRange { field, value, required });
-            }
+            let required = "a relative radius above 0: 1/R = 1/R1 + 1/R2, a hollow body with less curvature than the other";
+            let field = if self.radius.is_some() { "radius" } else { field };
+            require(value > 0.0 && value.is_finite(), field, value, required)?;
         }
         let missing = || ContactError::Missing { field: "", reason: WAYS.into() };
         match (x, y, self.length) {

@@ -4,7 +4,9 @@
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_2_PI;
 
-use asperity::{Code, ContactError, Finding, nearest_name, outside, positive, short, unusual};
+use asperity::{
+    Code, ContactError, Finding, nearest_name, outside, positive, require, short, unusual,
+};
 
 use crate::document::Document;
 use crate::error::SceneError;
@@ -176,16 +178,10 @@ impl Drawing {
         let cut = self.number("lambda_c")?.unwrap_or(usual);
         let ra = self.number("ra")?;
         for field in ["rq", "rz"] {
-            let below = self.number(field)?.filter(|value| ra.is_some_and(|ra| *value < ra));
-            if let Some(value) = below {
-                let required = "a value of at least ra";
-                return Err(ContactError::OutOfRange { field, value, required });
-            }
+            let Some(value) = self.number(field)? else { continue };
+            require(ra.is_none_or(|ra| value >= ra), field, value, "a value of at least ra")?;
         }
-        if cut <= short_cut {
-            let required = "a cut-off longer than lambda_s";
-            return Err(ContactError::OutOfRange { field: "lambda_c", value: cut, required });
-        }
+        require(cut > short_cut, "lambda_c", cut, "a cut-off longer than lambda_s")?;
         Ok([short_cut, cut])
     }
 

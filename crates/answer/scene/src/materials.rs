@@ -32,7 +32,7 @@ pub struct Material {
 }
 
 /// The hardness over the yield strength of nine of ten materials of the list.
-pub(crate) const HARDNESS_OVER_YIELD: [f64; 2] = [3.3, 7.8];
+pub(crate) const METALS_HARDNESS_OVER_YIELD: [f64; 2] = [3.3, 7.8];
 
 /// All materials, metals first.
 #[must_use]
@@ -151,13 +151,13 @@ mod tests {
         let ratio = |one: &Material| Some(one.body.hardness? / one.yield_strength?);
         let mut ratios: Vec<f64> = materials().iter().filter_map(ratio).collect();
         ratios.sort_by(f64::total_cmp);
-        for (share, wanted) in [0.05, 0.95].into_iter().zip(HARDNESS_OVER_YIELD) {
+        for (share, wanted) in [0.05, 0.95].into_iter().zip(METALS_HARDNESS_OVER_YIELD) {
             let place = share * (ratios.len() - 1) as f64;
             let (below, part) = (place as usize, place.fract());
             let found = ratios[below] + part * (ratios[below + 1] - ratios[below]);
             assert!((found / wanted - 1.0).abs() < 0.02, "{found}");
         }
-        let [from, to] = HARDNESS_OVER_YIELD.map(|ratio| 250e6 * ratio);
+        let [from, to] = METALS_HARDNESS_OVER_YIELD.map(|ratio| 250e6 * ratio);
         assert!((from..to).contains(&asperity::hardness_of_vickers(107.0)));
     }
 

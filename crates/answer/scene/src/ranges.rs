@@ -4,7 +4,7 @@ use asperity::{Body, Code, ContactError, Finding, Interface, Severity};
 
 use crate::error::{Place, SceneError};
 use crate::input::SceneInput;
-use crate::materials::HARDNESS_OVER_YIELD;
+use crate::materials::METALS_HARDNESS_OVER_YIELD;
 use crate::roughness::Roughness;
 use crate::scene_file::SceneFile;
 use crate::spec::{Bodies, Description, SceneSpec};
@@ -131,7 +131,7 @@ impl Bodies {
     /// says, in the place of that strength unless hardening is described by a tangent modulus; of a
     /// body that is harder than the other in any case in the middle.
     pub(crate) fn settled(&self, take: &mut dyn FnMut(Unknown) -> f64) -> Self {
-        let [from, to] = HARDNESS_OVER_YIELD;
+        let [from, to] = METALS_HARDNESS_OVER_YIELD;
         let mut settled = self.clone();
         // Hardness, yield strength, and whether hardening is described, of each by its name.
         let all: Vec<_> = match &mut settled {

@@ -1,6 +1,6 @@
 //! The tables and fits of Patir and Cheng: H (`film`) is the film over σ, γ the Peklenik number.
 
-use asperity_core::ContactError;
+use asperity_core::{ContactError, require};
 
 /// The coefficients of both papers for one γ.
 struct Fit {
@@ -79,7 +79,7 @@ pub fn friction_shear_factor(film: f64, gamma: f64) -> Result<f64, ContactError>
 /// # Errors
 /// [`ContactError::OutOfRange`] for H below 0.5, and for a cut-off outside 1e-6 to 0.1.
 pub fn friction_factor(film: f64, cut_off: f64) -> Result<f64, ContactError> {
-    within(CUT_OFF, cut_off, (1e-6..=0.1).contains(&cut_off), "1e-6 to 0.1")?;
+    require((1e-6..=0.1).contains(&cut_off), CUT_OFF, cut_off, "1e-6 to 0.1")?;
     at_least(film, FROM_HALF)?;
     let z = film / 3.0;
     let quartic = (1.0 - z * z).powi(3);
@@ -119,7 +119,7 @@ fn far(z: f64) -> f64 {
 /// [`ContactError::OutOfRange`] for H below 0.75, and for γ outside 0.9 to 1.1.
 pub fn friction_pressure_factor(film: f64, gamma: f64) -> Result<f64, ContactError> {
     let required = "0.9 to 1.1, as of isotropic surfaces, for friction-pressure-factor,";
-    within(GAMMA, gamma, (0.9..=1.1).contains(&gamma), required)?;
+    require((0.9..=1.1).contains(&gamma), GAMMA, gamma, required)?;
     at_least(film, (0.75, "at least 0.75, the range of the fit of friction-pressure-factor,"))?;
     Ok(1.0 - 1.40 * (-0.66 * film).exp())
 }
@@ -132,16 +132,7 @@ const FROM_HALF: (f64, &str) = (0.5, "at least 0.5, the range of the fits,");
 const FROM_1: (f64, &str) = (1.0, "at least 1, the range of the fits for a lay across the flow,");
 
 fn at_least(film: f64, (least, required): (f64, &'static str)) -> Result<(), ContactError> {
-    within(FILM, film, film >= least && film.is_finite(), required)
-}
-
-fn within(
-    field: &'static str,
-    value: f64,
-    holds: bool,
-    required: &'static str,
-) -> Result<(), ContactError> {
-    if holds { Ok(()) } else { Err(ContactError::OutOfRange { field, value, required }) }
+    require(film >= least && film.is_finite(), FILM, film, required).map(drop)
 }
 
 /// The value of a fit at H and γ: between two γ of the tables, values are linear in ln γ.
@@ -153,7 +144,7 @@ fn between(
 ) -> Result<f64, ContactError> {
     let [first, .., last] = &FITS;
     let holds = gamma >= first.gamma * (1.0 - 1e-9) && gamma <= last.gamma * (1.0 + 1e-9);
-    within(GAMMA, gamma, holds, "1/9 to 9, the range of the tables,")?;
+    require(holds, GAMMA, gamma, "1/9 to 9, the range of the tables,")?;
     at_least(film, least)?;
     let upper = FITS.iter().position(|fit| fit.gamma >= gamma).unwrap_or(FITS.len() - 1).max(1);
     let (below, beyond) = (&FITS[upper - 1], &FITS[upper]);

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use asperity_core::{
     Asperity, ContactError, ContactModel, Law, QuadratureError, SumOfContacts, Tolerance, positive,
+    require,
 };
 
 use crate::contact_range::recovery_extrema;
@@ -235,10 +236,8 @@ pub fn restitution(
     let loading = AsperityLaws::new(model, *asperity, law, tolerance)?;
     let failed = |source: QuadratureError| refused(model.id(), "interference", w, &source);
     let [spent, returned] = loading.works(w, tolerance.relative()).map_err(failed)?;
-    if spent < f64::MIN_POSITIVE {
-        let required = "an interference with a work of loading of at least 2.2e-308 J";
-        return Err(ContactError::OutOfRange { field: "interference", value: w, required });
-    }
+    let required = "an interference with a work of loading of at least 2.2e-308 J";
+    require(spent >= f64::MIN_POSITIVE, "interference", w, required)?;
     Ok((returned / spent).sqrt())
 }
 

@@ -20,7 +20,7 @@
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-use asperity_core::{ContactError, ProfileMoments, positive};
+use asperity_core::{ContactError, ProfileMoments, positive, require};
 use serde::{Deserialize, Serialize};
 
 /// The combined roughness of a gap, input of the correlations.
@@ -121,10 +121,8 @@ pub fn gap_conductance(
     gas_parameter: f64,
 ) -> Result<f64, ContactError> {
     for (field, value) in [("gap", gap), ("gas_parameter", gas_parameter)] {
-        if !(value >= 0.0 && value.is_finite()) {
-            let required = "a finite number, at least 0,";
-            return Err(ContactError::OutOfRange { field, value, required });
-        }
+        let is_finite = value >= 0.0 && value.is_finite();
+        require(is_finite, field, value, "a finite number, at least 0,")?;
     }
     let width = positive("gap with gas_parameter", gap + gas_parameter)?;
     Ok(positive("thermal_conductivity", conductivity)? / width)

@@ -1,6 +1,6 @@
 //! A history of turning points: virgin loading, unloading, reloading on the same curve.
 
-use asperity_core::{At, ContactError, Quantity};
+use asperity_core::{At, ContactError, Quantity, require};
 use serde::Serialize;
 
 use crate::Joint;
@@ -45,10 +45,7 @@ impl Joint {
             return Ok(Path { points: vec![], work: vec![] });
         };
         for &value in turning_points {
-            if !value.is_finite() {
-                let (field, required) = ("turning_points", "finite separations");
-                return Err(ContactError::OutOfRange { field, value, required });
-            }
+            require(value.is_finite(), "turning_points", value, "finite separations")?;
         }
         let mut way = self.unloading(At::metres(first))?;
         let mut closest = first;

@@ -1,6 +1,6 @@
 //! Tangential force against shift at a constant separation.
 
-use asperity_core::{ContactError, Evaluation, positive};
+use asperity_core::{ContactError, Evaluation, positive, require};
 
 use crate::Unloading;
 use crate::asperity_laws::UnloadingQuantity;
@@ -18,11 +18,8 @@ const MAX_FRICTION: f64 = 10.0;
 /// [`ContactError::OutOfRange`] unless it is above 0 and at most 10.
 pub fn coefficient_of_friction(friction: f64) -> Result<f64, ContactError> {
     let field = "friction";
-    if friction > MAX_FRICTION {
-        let required = "a coefficient of friction, at most 10 (one of 20 % is 0.2),";
-        return Err(ContactError::OutOfRange { field, value: friction, required });
-    }
-    positive(field, friction)
+    let required = "a coefficient of friction, at most 10 (one of 20 % is 0.2),";
+    require(positive(field, friction)? <= MAX_FRICTION, field, friction, required)
 }
 
 /// Relative rounding error of a tangential force.
@@ -76,10 +73,8 @@ impl PartialSlip {
     /// amplitude.
     pub fn loop_force(&self, shift: f64, amplitude: f64, forth: bool) -> Result<f64, ContactError> {
         let amplitude = positive("amplitude", amplitude)?;
-        if shift.is_nan() || shift.abs() > amplitude {
-            let required = "between -amplitude and amplitude";
-            return Err(ContactError::OutOfRange { field: "shift", value: shift, required });
-        }
+        let required = "between -amplitude and amplitude";
+        require(shift.abs() <= amplitude, "shift", shift, required)?;
         // Both branches are point-symmetric.
         let turned = if forth { -shift } else { shift };
         let end = self.force(amplitude)?.value();
@@ -106,11 +101,8 @@ impl PartialSlip {
         let amplitude = positive("amplitude", amplitude)?;
         let (loss, force) = (self.loss(amplitude)?.value(), self.force(amplitude)?.value());
         let spring = std::f64::consts::PI * force * amplitude;
-        if loss < f64::MIN_POSITIVE || spring < f64::MIN_POSITIVE {
-            let required = "an amplitude with a loss of at least 2.2e-308 J";
-            let (field, value) = ("amplitude", amplitude);
-            return Err(ContactError::OutOfRange { field, value, required });
-        }
+        let required = "an amplitude with a loss of at least 2.2e-308 J";
+        require(loss.min(spring) >= f64::MIN_POSITIVE, "amplitude", amplitude, required)?;
         Ok(loss / spring)
     }
 
@@ -122,18 +114,13 @@ impl PartialSlip {
     /// [`ContactError::OutOfRange`] for a share out of range or a joint without force; the errors
     /// of [`force`](Self::force).
     pub fn shift_at(&self, share: f64) -> Result<f64, ContactError> {
-        if !(share > 0.0 && share < 1.0) {
-            let required = "a number above 0 and below 1";
-            return Err(ContactError::OutOfRange { field: "share", value: share, required });
-        }
+        require(share > 0.0 && share < 1.0, "share", share, "a number above 0 and below 1")?;
         let whole = self.normal.force(0.0)?.value();
         let slope = self.normal.stiffness(0.0)?.value() * self.retreat_per_shift;
         // The force is concave: its initial slope bounds the shift from below.
         let low = 0.5 * share * whole / slope;
-        if !(low > 0.0 && low.is_finite()) {
-            let required = "a force above 0 at the closest approach";
-            return Err(ContactError::OutOfRange { field: "force", value: whole, required });
-        }
+        let required = "a force above 0 at the closest approach";
+        require(low > 0.0 && low.is_finite(), "force", whole, required)?;
         let wanted = share * self.friction * whole;
         let missing = |shift: f64| Ok(wanted - self.force(shift)?.value());
         let sigma = self.normal.scene().surface.asperity_height_std;
@@ -186,15 +173,12 @@ impl PartialSlip {
         quantity: UnloadingQuantity,
         (field, shift): (&'static str, f64),
     ) -> Result<Evaluation, ContactError> {
-        if !(shift >= 0.0 && shift.is_finite()) {
-            let required = "a finite number, at least 0,";
-            return Err(ContactError::OutOfRange { field, value: shift, required });
-        }
+        let is_finite = shift >= 0.0 && shift.is_finite();
+        require(is_finite, field, shift, "a finite number, at least 0,")?;
         let retreat = self.retreat_per_shift * shift;
-        if retreat > MAX_RETREAT * self.normal.scene().surface.asperity_height_std {
-            let required = "a smaller one, with a retreat 4 G/(mu E) times it of at most 1e100 asperity_height_std,";
-            return Err(ContactError::OutOfRange { field, value: shift, required });
-        }
+        let most = MAX_RETREAT * self.normal.scene().surface.asperity_height_std;
+        let required = "a smaller one, with a retreat 4 G/(mu E) times it of at most 1e100 asperity_height_std,";
+        require(retreat <= most, field, shift, required)?;
         let mut found = self.normal.of(quantity, retreat)?;
         found.scaled *= factor;
         found.size *= factor;

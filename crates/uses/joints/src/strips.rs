@@ -1,7 +1,7 @@
 //! The unloading force as a table over the closest approach c and the separation d ≥ c: strips of c
 //! and cells of d - c with products of Chebyshev polynomials, halved until these converge.
 
-use asperity_core::{At, ContactError, QuadratureError, Quantity, Tolerance, positive};
+use asperity_core::{At, ContactError, QuadratureError, Quantity, Tolerance, positive, require};
 use asperity_quadrature::{chebyshev_roots, chebyshev_terms};
 
 use crate::asperity_laws::UnloadingQuantity;
@@ -41,10 +41,8 @@ impl Joint {
         let tolerance = positive("tolerance", tolerance)?;
         let width = positive("open - deepest", open - deepest)?;
         let sigma = self.scene().surface.asperity_height_std;
-        if width > MAX_WIDTH * sigma {
-            let (field, required) = ("open - deepest", "at most 1000 asperity_height_std, in m,");
-            return Err(ContactError::OutOfRange { field, value: width, required });
-        }
+        let required = "at most 1000 asperity_height_std, in m,";
+        require(width <= MAX_WIDTH * sigma, "open - deepest", width, required)?;
         // All contacts are elastic within the elastic limit of the highest asperity.
         let highest = self.scene().heights.support(sigma).1;
         let open = open.min(highest - self.loading.elastic_limit());
@@ -90,11 +88,8 @@ impl Joint {
         let mut last = sigma;
         while !nothing(&values(at(last)?), &start) {
             last *= 1.5;
-            if last > MAX_DISTANCE * sigma {
-                let required = "larger, as the force stays above it up to 1e8 asperity_height_std,";
-                let (field, value) = ("tolerance", tolerance);
-                return Err(ContactError::OutOfRange { field, value, required });
-            }
+            let required = "larger, as the force stays above it up to 1e8 asperity_height_std,";
+            require(last <= MAX_DISTANCE * sigma, "tolerance", tolerance, required)?;
         }
         // Without contact at the closest approach, the last retreat shrinks to the limit.
         while last > NEGLIGIBLE * sigma && nothing(&values(at(0.5 * last)?), &start) {

@@ -2,7 +2,7 @@
 
 use asperity_core::{
     At, ContactError, ContactModel, Datum, Evaluation, Quantity, Scene, Separation, SeparationUnit,
-    Tolerance, positive,
+    Tolerance, positive, require,
 };
 use asperity_quadrature::{bracketed_root, fallible};
 
@@ -181,10 +181,9 @@ impl Unloading {
         quantity: UnloadingQuantity,
         retreat: f64,
     ) -> Result<Evaluation, ContactError> {
-        if !(retreat >= 0.0 && (retreat.is_finite() || quantity == UnloadingQuantity::Returned)) {
-            let required = "a finite number, at least 0,";
-            return Err(ContactError::OutOfRange { field: "retreat", value: retreat, required });
-        }
+        let is_finite = retreat.is_finite() || quantity == UnloadingQuantity::Returned;
+        let required = "a finite number, at least 0,";
+        require(retreat >= 0.0 && is_finite, "retreat", retreat, required)?;
         if retreat == 0.0 && quantity.sums_up() {
             return Ok(Evaluation::new(0.0, 0.0));
         }

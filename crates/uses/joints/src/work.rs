@@ -1,6 +1,8 @@
 //! The work of closing a joint and of opening it, and energy that a pair of laws creates.
 
-use asperity_core::{At, Code, ContactError, Evaluation, Finding, QuadratureError, Quantity};
+use asperity_core::{
+    At, Code, ContactError, Evaluation, Finding, QuadratureError, Quantity, require,
+};
 use asperity_quadrature::{Estimate, fallible, gauss_kronrod};
 
 use crate::asperity_laws::{AsperityLaws, UnloadingQuantity, refused};
@@ -47,11 +49,8 @@ impl Work {
     /// [`ContactError::OutOfRange`] where the work spent is below 2.2e-308 J.
     pub fn loss_factor(&self) -> Result<f64, ContactError> {
         let spent = self.spent.value();
-        if spent < f64::MIN_POSITIVE {
-            let (field, required) =
-                ("work of closing", "at least 2.2e-308 J, at a closer approach,");
-            return Err(ContactError::OutOfRange { field, value: spent, required });
-        }
+        let required = "at least 2.2e-308 J, at a closer approach,";
+        require(spent >= f64::MIN_POSITIVE, "work of closing", spent, required)?;
         Ok(self.lost().value() / (2.0 * std::f64::consts::PI * spent))
     }
 }
@@ -87,12 +86,9 @@ impl Joint {
                 let relative = if work > 0.0 { (error + panel.value) / work } else { 0.0 };
                 return Ok(Evaluation::new(work, relative + self.tolerance.relative()));
             }
-            if from > MAX_DISTANCE * sigma {
-                let field = "share of the work beyond 1e8 asperity_height_std";
-                let required = "about 0, for which the heights need a lighter tail,";
-                let value = panel.value / work;
-                return Err(ContactError::OutOfRange { field, value, required });
-            }
+            let field = "share of the work beyond 1e8 asperity_height_std";
+            let required = "about 0, for which the heights need a lighter tail,";
+            require(from <= MAX_DISTANCE * sigma, field, panel.value / work, required)?;
         }
     }
 
