@@ -29,7 +29,7 @@ pub const ANSWERING: [&str; 9] = [
     "persson-plastic",
     "persson-fudge",
     "jkr",
-    // Under tensions that closing surfaces do not carry.
+    // The branch of opening: larger tensions than jkr carries.
     "jkr-separation",
     "dmt",
 ];

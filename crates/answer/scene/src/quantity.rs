@@ -211,7 +211,9 @@ fn range(text: &str) -> Option<Ends> {
     };
     let ((lower, _), (upper, unit)) =
         ["...", "..", " to ", "\u{2013}", "-"].into_iter().find_map(between)?;
-    Some(("is a range", [lower.parse().ok()?, upper.parse().ok()?], unit))
+    let mut ends: [f64; 2] = [lower.parse().ok()?, upper.parse().ok()?];
+    ends.sort_by(f64::total_cmp);
+    Some(("is a range", ends, unit))
 }
 
 /// A number with one of the units.

@@ -321,16 +321,18 @@ impl SceneFile {
             "upper" => (1.0, "at the upper end"),
             _ => return Err(refused(format!("{end:?} is none of lower, middle and upper"))),
         };
-        let unknowns = self.unknowns_between().map_err(|error| refused(error.to_string()))?;
-        let ranges = unknowns.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-        let found = Finding::note(Code::TakenAt, "at", share)
-            .fact(format!("calculated {place} of the ranges of {ranges}"))
-            .advice("a value with every number at its lower or its upper end need not be an end of the answer: curve and answer give these");
+        let unknowns = self.unknowns();
         if unknowns.is_empty() {
             return Ok((self.clone(), None));
         }
         let taken = self.at(&vec![share; unknowns.len()]);
         let taken = taken.map_err(|error| refused(error.to_string()))?;
+        // Where no scene has a combination of ends, those beside the middle of the others.
+        let ranges = self.unknowns_between().unwrap_or(unknowns);
+        let ranges = ranges.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        let found = Finding::note(Code::TakenAt, "at", share)
+            .fact(format!("calculated {place} of the ranges of {ranges}"))
+            .advice("a value with every number at its lower or its upper end need not be an end of the answer: curve and answer, in Python ranges and answer, give these");
         Ok((taken, Some(found)))
     }
 }

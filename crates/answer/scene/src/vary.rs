@@ -10,7 +10,7 @@ use crate::keys::{
     BODY, COUNTERFACE, CURVATURE, Field, GAP, INTERFACE, MECHANICAL, SEAL, key_of_input,
 };
 use crate::scene_file::SceneFile;
-use crate::spec::{Bodies, Description, SceneSpec, SurfaceSpec};
+use crate::spec::{Bodies, Description, SAME, SceneSpec, SurfaceSpec};
 use crate::unknown::Unknown;
 
 fn named<T>(
@@ -132,9 +132,8 @@ impl SceneFile {
         let follows = area(&spec) == Some(spec.nominal_area);
         let numbers: Vec<(SceneInput, f64)> = numbers.into_iter().collect();
         let set: Vec<SceneInput> = numbers.iter().map(|(input, _)| *input).collect();
-        // It is not like the first any more.
-        spec.word = spec.word.filter(|_| set.iter().all(|one| one.section != COUNTERFACE));
-        let is_same = spec.is_same();
+        let is_second = |one: &SceneInput| one.section == COUNTERFACE;
+        let is_same = spec.is_same() && !set.iter().any(is_second);
         for (input, value) in numbers {
             let SceneInput { section, key } = input;
             match section {
@@ -164,6 +163,9 @@ impl SceneFile {
                 }
                 bodies => spec.bodies.set(bodies, key, value),
             }
+        }
+        if spec.word == Some(SAME) && !spec.is_same() {
+            spec.word = None;
         }
         let is_given = set.iter().any(|one| Field::of(SCENE, one.key).is_some());
         spec.nominal_area =

@@ -95,7 +95,7 @@ pub(crate) fn curves<'a>(panel: &'a Panel, table: &CsvTable) -> Result<Vec<Serie
         let (own, mut band) = (of(y)?, vec![]);
         if let Some([lower, upper]) = table.ends(&panel.y.column) {
             let both = of(lower)?.into_iter().zip(of(upper)?);
-            band.extend(both.filter(|(lower, _)| lower.len() > 1).map(<[_; 2]>::from));
+            band.extend(both.filter(|(a, b)| a.len() > 1 && same_x(a, b)).map(<[_; 2]>::from));
         }
         Ok(Series { curve, pieces: own, band })
     };

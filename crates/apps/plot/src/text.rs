@@ -96,7 +96,7 @@ pub fn number(value: f64) -> String {
     // Five digits, without the rounding errors of a sum of steps.
     let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
     let (sign, size) = (if rounded < 0.0 { "−" } else { "" }, rounded.abs());
-    if size == 0.0 || (1e-3..1e5).contains(&size) {
+    if size == 0.0 || !size.is_finite() || (1e-3..1e5).contains(&size) {
         return format!("{sign}{size}");
     }
     let text = format!("{size:e}");

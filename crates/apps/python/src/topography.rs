@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use asperity_scene::MeasuredKeys;
+use asperity_scene::{Keys, MeasuredKeys};
 use asperity_topography::{
     Alignment, Estimator, Glance, Level, ReadOptions, Statistics, TopographyError,
 };
@@ -85,8 +85,18 @@ impl Topography {
             return Err(PyTypeError::new_err(text));
         }
         let given = options.into_iter().filter_map(|(name, value)| Some((name, value?)));
-        let options: Result<ReadOptions, _> = keys_of(given).try_into();
-        let options = options.map_err(|error| value_error(error.message()))?;
+        let keys = keys_of(given);
+        let options = |keys: Keys, name: &str| {
+            keys.try_into::<ReadOptions>().map_err(|error| {
+                let text = error.message();
+                let needed = text.rsplit_once(", expected ").map_or(text, |(_, needed)| needed);
+                value_error(format!("{name}: {} was required", needed.replace('`', "\"")))
+            })
+        };
+        for (name, value) in &keys {
+            options(Keys::from_iter([(name.clone(), value.clone())]), name)?;
+        }
+        let options = options(keys, "options")?;
         found(&path)?;
         let read = py.detach(|| asperity_topography::read(&path, &options));
         Ok(Self(read.map_err(unreadable)?))

@@ -210,7 +210,7 @@ def test_a_scan_counts_by_what_was_measured(scene: asperity.Scene, tmp_path: Pat
     assert other.to_toml() == text and other != scene
     solved = asperity.bem(scene, pressure=2e8, maps=False)
     for wrong in (other, scene.replace(hardness=3e9)):
-        with pytest.raises(ValueError, match="solved is not of this scene"):
+        with pytest.raises(ValueError, match="solved is not of this scene with its options"):
             wrong.answer(pressure=2e8, solved=solved)
     with pytest.raises(TypeError, match="level was given beside a scene"):
         asperity.bem(scene, pressure=2e8, level="quadratic")

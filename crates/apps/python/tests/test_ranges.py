@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import pickle
+import subprocess
+import sys
+from pathlib import Path
 
 import asperity
 import numpy as np
@@ -48,6 +51,16 @@ def test_whoever_takes_the_middle_says_so() -> None:
     ):
         with pytest.warns(asperity.ContactWarning, match="taken-at: calculated in the middle"):
             asked()
+
+
+def test_a_contact_on_ranges_is_unpickled_at_the_top_of_a_program(tmp_path: Path) -> None:
+    with pytest.warns(asperity.ContactWarning, match="taken-at"):
+        contact = asperity.model("ke").compile(scene(counterface="smooth"))
+    (tmp_path / "contact").write_bytes(pickle.dumps(contact))
+    program = "import pickle, sys; print(pickle.load(open(sys.argv[1], 'rb')).force(1.0) > 0)"
+    asked = [sys.executable, "-c", program, str(tmp_path / "contact")]
+    found = subprocess.run(asked, capture_output=True, text=True, check=True)  # noqa: S603
+    assert found.stdout.strip() == "True" and "taken-at" in found.stderr
 
 
 def test_ranges_are_those_of_the_corners() -> None:

@@ -170,7 +170,7 @@ pub(crate) fn described(text: &str, way: &str, file: &SceneFile) -> Result<Strin
     let (written, is_pair) = (fields(text), file.scene.pair.is_some());
     let stays = |name: &str| match name {
         "heights" => written.get("surface.heights").is_none_or(|given| given != "measured"),
-        "mean_plane_offset" | "peklenik_number" => !is_pair,
+        "mean_plane_offset" | "peklenik_number" | "separation_from" => !is_pair,
         _ => true,
     };
     let mut changes = removals(|key| {

@@ -19,12 +19,12 @@ pub fn is_column(name: &str) -> bool {
     // A column in another unit, or a mistyped one, is meant for the fit as well.
     let is_meant =
         |name: &str| !matches!(in_si(name), Err(FitError::UnknownColumn { near: None, .. }));
-    is_meant(name) || name.strip_suffix(STD).is_some_and(is_meant)
+    IGNORED.contains(&name) || is_meant(name) || name.strip_suffix(STD).is_some_and(is_meant)
 }
 
 /// The column of a fit that is meant by a name, which may have another unit.
 fn in_si(name: &str) -> Result<Named, FitError> {
-    match IGNORED.contains(&name) || PLACES.contains(&name) || quantity(name).is_some() {
+    match PLACES.contains(&name) || quantity(name).is_some() {
         true => Ok(Named { column: name.to_string(), factor: 1.0, over_area: false }),
         false => with_unit(name).ok_or_else(|| unknown_column(name)),
     }
@@ -65,6 +65,7 @@ impl<'c> Columns<'c> {
                 )));
             }
             let Named { column, factor, over_area } = match name.strip_suffix(STD) {
+                _ if IGNORED.contains(&name) => continue,
                 None => in_si(name)?,
                 Some(of) => in_si(of)
                     .map(|found| Named { column: found.column + STD, ..found })
@@ -82,10 +83,8 @@ impl<'c> Columns<'c> {
             if is_twice || found.has(&column) {
                 return refused(name, "the column is given twice".into());
             }
-            if !IGNORED.contains(&name) {
-                let values = values.iter().map(|value| value.map(|value| value * unit));
-                found.columns.push((column, values.collect()));
-            }
+            let values = values.iter().map(|value| value.map(|value| value * unit));
+            found.columns.push((column, values.collect()));
         }
         let has = |name: &str| found.has(name);
         if has(CLOSURE) && has(SEPARATION) {

@@ -1,6 +1,6 @@
 //! Values, intervals and residuals of a minimum.
 
-use asperity_core::{Code, Finding, Findings, short};
+use asperity_core::{Code, ContactError, Finding, Findings, short};
 
 use crate::problem::{Minimum, Problem, squares};
 use crate::spread::Spread;
@@ -137,7 +137,12 @@ impl<'s> Solution<'s> {
                     self.problem.predicted(&moved).err()
                 };
                 let near = beyond(AT_END * (high - low))?;
-                let reason = beyond(BEYOND).unwrap_or(near);
+                let reason = match beyond(BEYOND).unwrap_or(near) {
+                    ContactError::OutOfRange { field, value, required } => {
+                        format!("{field} would be {}: {required} is required", short(value))
+                    }
+                    other => other.to_string(),
+                };
                 Some(format!("{name} stops at {}: {side} it, {reason}", shown(middle)))
             },
         )

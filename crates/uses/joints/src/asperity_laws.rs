@@ -31,7 +31,7 @@ pub(crate) enum UnloadingQuantity {
 }
 
 impl UnloadingQuantity {
-    /// Whether asperities that have lost contact count, and nothing is there without a retreat.
+    /// Whether it is an energy: it is 0 at retreat 0, and asperities that have lost contact count.
     pub(crate) fn sums_up(self) -> bool {
         matches!(self, Self::Released | Self::Loss | Self::Returned)
     }

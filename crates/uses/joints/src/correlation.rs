@@ -42,8 +42,8 @@ impl Correlation {
     }
 
     /// The plasticity index of a scene with contacts of the other kind: below 1 for the plastic
-    /// correlation, at least 1 for the elastic one. `None` for contacts that the
-    /// correlation describes, or without a hardness.
+    /// correlation, at least 1 for the elastic one. `None` for contacts that the correlation
+    /// describes, or without a hardness.
     #[must_use]
     pub fn foreign(self, scene: &Scene) -> Option<f64> {
         let index = scene.plasticity_index().ok()?;

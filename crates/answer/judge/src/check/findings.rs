@@ -52,7 +52,7 @@ impl Answer<'_> {
         (!(least..=most).contains(&tabor)).then_some(found)
     }
 
-    /// A finding for a load on yielding asperities with an elastic self.model.
+    /// A finding for a load on yielding asperities with an elastic model.
     pub(super) fn yields(self, share: f64) -> Option<Finding> {
         let adhesive = self.model.validity().adhesive;
         let others = match adhesive {

@@ -149,4 +149,8 @@ fn a_counterface_that_is_the_same_stays_so_until_it_has_a_number_of_its_own() {
     let [first, second] = own.scene.pair.unwrap().surfaces.map(|one| one.asperities.moments().m0);
     same(first, 3e-12);
     same(second, 2e-12);
+    // At one end of their ranges both are the same.
+    let lower = of("[1e-12, 2e-12]").taken_at("lower").unwrap().0;
+    let larger = with(&lower, "m0", 3e-12);
+    assert_eq!(larger.to_toml().unwrap(), of("3e-12").to_toml().unwrap());
 }

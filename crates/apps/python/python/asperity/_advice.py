@@ -87,8 +87,9 @@ def answer(
     """
     axis, given = place(load=load, pressure=pressure, approach=approach)
     numbers = floats(given, axis).ravel().tolist()
-    if solved is not None and solved.scene != self:
-        raise ValueError("solved is not of this scene: asperity.bem(scene, ...) solves its scan")
+    if solved is not None and getattr(solved, "scene", None) != self:
+        needed = "asperity.bem(scene, ...) without boundary and elastic, which are options of the scene"
+        raise ValueError(f"solved is not of this scene with its options: {needed}")
     solving: Any = solve if solved is None else _solved(solved)
     table, (behind, lines) = _asperity.best(self, (axis, numbers), quantities, rtol, solving)
     found = Answer(*table)

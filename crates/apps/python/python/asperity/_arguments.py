@@ -29,8 +29,8 @@ def method_of(kind: type) -> Callable[[Method], Method]:
 
 
 def in_si(numbers: Any, si: str, key: str = "") -> Any:
-    """Texts with a unit, "100 nm" or a sequence of them, in an SI unit; numbers as they are. Those of
-    the key of a hardness may be results of hardness tests."""
+    """Texts with a unit, "100 nm" or a sequence of them, in an SI unit; numbers as they are. With
+    the key of a hardness, texts may be test results, "200 HV"."""
 
     def one(given: Any) -> float:
         if isinstance(given, str):

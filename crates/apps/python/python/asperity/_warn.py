@@ -38,7 +38,10 @@ def warn(message: str, above: int) -> None:
     Messages that differ only in their numbers, as those of a loop over loads, count as one message
     here.
     """
-    frame = sys._getframe(above + 1)
+    frame = sys._getframe(1)
+    for _ in range(above):
+        # A pickle may be read at the top of a program.
+        frame = frame.f_back or frame
     name, line = frame.f_globals.get("__name__") or "<unknown>", frame.f_lineno
     file = frame.f_code.co_filename
     registry: dict[Any, Any] = {}

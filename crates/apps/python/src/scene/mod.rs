@@ -39,7 +39,8 @@ type Uppers = BTreeMap<String, Vec<bool>>;
 /// heights : "gaussian", "exponential", {"skewness": s} or (heights, densities)
 ///     The distribution of the asperity heights. A skewness from -1 to 2 stands for a Weibull
 ///     density. A table has heights [m], ascending, and the density there [1/m]: linear between its
-///     points, 0 outside; heights count from the table's own mean.
+///     points, 0 outside; heights count from the table's own mean. By default those of ``surface``,
+///     or Gaussian ones; likewise of the next two.
 /// separation_from : "asperity-mean" or "surface-mean"
 ///     The plane of separation 0: the mean of the asperity heights (for exponential heights the
 ///     lowest asperity), or the mean plane of the surface.
@@ -75,7 +76,7 @@ impl SceneFile {
             interface, surface, nominal_area=None, heights=None, separation_from=None,
             mean_plane_offset=None, options=None, accept=vec![], curvature=None
         ),
-        text_signature = "(interface, surface, nominal_area=None, heights='gaussian', separation_from='asperity-mean', mean_plane_offset=None, options=None, accept=(), curvature=None)"
+        text_signature = "(interface, surface, nominal_area=None, heights=None, separation_from=None, mean_plane_offset=None, options=None, accept=(), curvature=None)"
     )]
     #[expect(clippy::too_many_arguments, reason = "the signature in Python")]
     fn new(
@@ -222,7 +223,7 @@ impl SceneFile {
     ///
     /// Of a scene with bodies, hardness, youngs_modulus and so on are those of both bodies, and
     /// body1_hardness that of one. Numbers of a surface are those of the first of two (of both where
-    /// the counterface is "same"), and counterface_m0 and so on those of the second: as written, so
+    /// the counterface is "same", until it has a number of its own), and counterface_m0 and so on those of the second: as written, so
     /// that a plasticity_index stays where asperity_height_std or hardness changes, or m0 where m2
     /// does.
     #[pyo3(signature = (**numbers))]

@@ -91,7 +91,7 @@ fn law_of(
             unsupported(format!("{quantity}, which follows from the film alone"))
         }
         (_, Derivation::Gap) => unsupported(format!(
-            "{quantity}, to which [gap] adds its gas: curve and answer have it"
+            "{quantity}, which needs the gas of [gap]: ask the scene for an answer"
         )),
         _ => Err(lacking()),
     }
