@@ -27,7 +27,7 @@ pub enum Cell {
     Text(Arc<str>),
     /// A number.
     Number(f64),
-    /// A number between the ends of an interval, which [`Sheet::spread`] gives columns.
+    /// A number between the ends of an interval, which get columns of their own.
     Between(f64, [Option<f64>; 2]),
     /// No value; the reason, where it concerns this cell.
     Blank(Option<Arc<ContactError>>),

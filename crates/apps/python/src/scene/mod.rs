@@ -222,10 +222,10 @@ impl SceneFile {
     /// in the place of those written. Their order does not matter.
     ///
     /// Of a scene with bodies, hardness, youngs_modulus and so on are those of both bodies, and
-    /// body1_hardness that of one. Numbers of a surface are those of the first of two (of both where
-    /// the counterface is "same", until it has a number of its own), and counterface_m0 and so on those of the second: as written, so
-    /// that a plasticity_index stays where asperity_height_std or hardness changes, or m0 where m2
-    /// does.
+    /// body1_hardness that of one. Numbers of a surface are those of the first of two (of both
+    /// where the counterface is "same", until it has a number of its own), and counterface_m0 and
+    /// so on those of the second: as written, so that a plasticity_index stays where
+    /// asperity_height_std or hardness changes, or m0 where m2 does.
     #[pyo3(signature = (**numbers))]
     fn replace(&self, numbers: Option<BTreeMap<String, Object<'_>>>) -> PyResult<Self> {
         let numbers = numbers.unwrap_or_default();
