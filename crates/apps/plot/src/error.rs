@@ -63,6 +63,12 @@ pub enum PlotError {
         /// The curve.
         curve: String,
     },
+    /// Curves stacked on a logarithmic axis, which has no 0.
+    #[error("curve `{curve}` is stacked on others: a linear vertical axis was required")]
+    Stacked {
+        /// The first of them.
+        curve: String,
+    },
     /// A map with an unsuitable number of cells.
     #[error("the number of cells differs from {rows} rows of {columns} columns, or is 0")]
     Cells {

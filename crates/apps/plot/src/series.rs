@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::error::PlotError;
-use crate::figure::Panel;
+use crate::figure::{Panel, Scale};
 use crate::style::{Colour, Curve};
 
 /// A pair of numbers: in the units of the csv, in fractions of a frame, or in pixels.
@@ -156,6 +156,9 @@ pub(crate) fn areas<'a>(
     }
     let mut below: Option<Vec<Point>> = None;
     for Series { curve, pieces, .. } in all.iter_mut().filter(|_| panel.stacked) {
+        if panel.y.scale == Scale::Log {
+            return Err(PlotError::Stacked { curve: curve.key.clone() });
+        }
         let mut upper = whole(std::mem::take(pieces), &curve.key, below.as_deref())?;
         let lower = below.unwrap_or_else(|| upper.iter().map(|point| (point.0, 0.0)).collect());
         upper.iter_mut().zip(&lower).for_each(|(up, low)| up.1 += low.1);
@@ -208,6 +211,9 @@ mod tests {
         let mut all = curves(&panel, &table).unwrap();
         assert_eq!(areas(&panel, &table, &mut all).unwrap()[1].lower, [(0.0, 1.0), (1.0, 2.0)]);
         assert_eq!(all[1].pieces, [vec![(0.0, 4.0), (1.0, 6.0)]]);
+        panel.y.scale = Scale::Log;
+        let mut all = curves(&panel, &table).unwrap();
+        assert!(matches!(areas(&panel, &table, &mut all), Err(PlotError::Stacked { .. })));
         panel.stacked = false;
         for (upper, fits) in [("b", true), ("c", false)] {
             panel.between = vec![Between {
