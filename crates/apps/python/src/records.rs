@@ -43,7 +43,7 @@ impl Record for Surface {
     const CHECK: fn(&Self) -> Result<(), ContactError> = Self::check;
 }
 
-/// Numbers by their names, each with what it is in a struct to fill.
+/// The numbers of a record by their names, each with its value before it is given.
 macro_rules! fields {
     ($($name:ident $blank:expr,)+) => {
         const NUMBERS: &'static [Field<Self>] = &[$(Field {

@@ -13,7 +13,7 @@ use crate::ask::asked::Asked;
 use crate::ask::long::run_interruptible;
 use crate::ask::rows::Rows;
 use crate::convert::axis::Axis;
-use crate::convert::{Quantities, refused, tolerance, value_error};
+use crate::convert::{Quantities, refused, taken_in_the_middle, tolerance, value_error};
 use crate::model::engine::{Engine, without};
 use crate::scene::SceneFile;
 use crate::tables::{Table, table, warn_of};
@@ -85,8 +85,7 @@ pub(crate) fn check_rows(asked: &Asked) -> Findings {
             let places = rows.ends().map(|row| rows.at(row));
             let mut found = check_scene(asked.engine(), model, file, places);
             // Of a number with a range, one value is calculated with.
-            let taken = file.taken_at("middle").ok().and_then(|(_, note)| note);
-            found.extend(taken.map(|note| note.severity(Severity::Warning)));
+            found.extend(taken_in_the_middle(file));
             found
         }
         None => check_scenes(rows, model.validity().asperities),

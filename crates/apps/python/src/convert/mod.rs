@@ -64,15 +64,20 @@ pub(crate) fn warn_unless(
     if found.is_accepted(accept) { Ok(()) } else { warn(py, found, above) }
 }
 
-/// Warns where numbers of a scene are known within ranges, of which the middle is taken.
+/// A warning where numbers of a scene are known within ranges, of which the middle is taken.
+pub(crate) fn taken_in_the_middle(file: &asperity_scene::SceneFile) -> Option<Finding> {
+    let (_, note) = file.taken_at("middle").ok()?;
+    Some(note?.severity(Severity::Warning))
+}
+
+/// Emits that warning.
 pub(crate) fn warn_of_ranges(
     py: Python<'_>,
     file: &asperity_scene::SceneFile,
     above: usize,
 ) -> PyResult<()> {
-    let taken = file.taken_at("middle").map_err(value_error)?.1;
-    let taken = taken.map(|note| note.severity(Severity::Warning));
-    taken.map_or(Ok(()), |note| warn_unless(py, &file.spec.accept, &note, above))
+    let taken = taken_in_the_middle(file);
+    taken.map_or(Ok(()), |found| warn_unless(py, &file.spec.accept, &found, above))
 }
 
 /// The text of a warning, which filters of warnings find by its code.

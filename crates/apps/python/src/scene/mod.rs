@@ -336,7 +336,7 @@ impl SceneFile {
         asperity::usual_reference(&self.0.scene)
     }
 
-    /// The text of the scene, and what was measured on its scans, whose files may change.
+    /// The text of the scene with the statistics of its scans: a file may change under its name.
     fn _identity(&self) -> PyResult<String> {
         let measured = self.0.measured.as_ref().map(|of| &of.statistics);
         Ok(format!("{}{measured:?}", self.to_toml(None)?))
