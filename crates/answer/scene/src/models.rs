@@ -187,7 +187,7 @@ impl SceneFile {
 
     /// Why models of pairs do not know each of its two surfaces.
     fn no_pair(&self) -> Option<&'static str> {
-        if self.spec.word == Some(SMOOTH) {
+        if self.spec.counterface_word == Some(SMOOTH) {
             return Some(
                 "counterface = \"smooth\" leaves one rough surface, and models of pairs press two",
             );

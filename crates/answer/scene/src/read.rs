@@ -204,7 +204,7 @@ fn ranges(
     };
     let mut all = document.ranges.clone();
     // Of a surface that is the same, each number has the range of the other.
-    if file.spec.word == Some(SAME) {
+    if file.spec.counterface_word == Some(SAME) {
         let own = document.ranges.iter().filter_map(|(path, ends)| {
             let key = path.strip_prefix("surface.")?;
             keys_of(COUNTERFACE).contains(&key).then(|| (joined(COUNTERFACE, key), *ends))

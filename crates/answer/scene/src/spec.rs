@@ -30,8 +30,8 @@ pub struct SceneSpec {
     pub surface: SurfaceSpec,
     /// The second rough surface.
     pub counterface: Option<SurfaceSpec>,
-    /// What is written instead of a counterface: [`SMOOTH`], or [`SAME`] while it is as the first.
-    pub(crate) word: Option<&'static str>,
+    /// The word in place of a second surface: [`SMOOTH`], or [`SAME`] while it is like the first.
+    pub(crate) counterface_word: Option<&'static str>,
     /// What boundary elements press where that is not the scan of `surface`: the sum of two aligned
     /// scans, or a scan beside asperities.
     pub(crate) pressed: Option<Arc<Scan>>,
@@ -232,7 +232,7 @@ impl SceneSpec {
             bodies,
             surface,
             counterface: None,
-            word: None,
+            counterface_word: None,
             pressed: None,
             heights: HeightsSpec::default(),
             separation_from: Datum::AsperityMean,

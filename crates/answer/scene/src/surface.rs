@@ -117,7 +117,7 @@ pub(crate) fn surfaces(
         false => of(COUNTERFACE, second)?,
     };
     let one = SceneSpec::new(bodies, first, nominal_area);
-    Ok(SceneSpec { counterface, word: known, pressed, ..one })
+    Ok(SceneSpec { counterface, counterface_word: known, pressed, ..one })
 }
 
 /// How a section describes its surface, with the key that decides it; `None` by a scan.
@@ -162,5 +162,5 @@ pub(crate) fn smooth_counterface(spec: &SceneSpec) -> Option<Finding> {
     let found = Finding::warning(Code::SmoothCounterface, "counterface", f64::NAN)
         .fact("the other surface is taken as smooth (by models of pairs as rough as this one)")
         .advice("give counterface = \"smooth\" or \"same\", or describe it");
-    (is_open && spec.counterface.is_none() && spec.word.is_none()).then_some(found)
+    (is_open && spec.counterface.is_none() && spec.counterface_word.is_none()).then_some(found)
 }

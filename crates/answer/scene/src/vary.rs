@@ -164,8 +164,8 @@ impl SceneFile {
                 bodies => spec.bodies.set(bodies, key, value),
             }
         }
-        if spec.word == Some(SAME) && !spec.is_same() {
-            spec.word = None;
+        if spec.counterface_word == Some(SAME) && !spec.is_same() {
+            spec.counterface_word = None;
         }
         let is_given = set.iter().any(|one| Field::of(SCENE, one.key).is_some());
         spec.nominal_area =

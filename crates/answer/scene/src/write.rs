@@ -39,7 +39,7 @@ impl SceneFile {
         let spec = &self.spec;
         let mut top = spec.bodies.keys();
         let mut surface = spec.surface.keys();
-        let second = match spec.word {
+        let second = match spec.counterface_word {
             Some(word) if word == SMOOTH || spec.is_same() => Some(word.into()),
             _ => spec.counterface.as_ref().map(|second| second.keys().into()),
         };
@@ -151,7 +151,7 @@ impl SceneSpec {
     /// Whether the second surface is written as the first, and is like it.
     pub(crate) fn is_same(&self) -> bool {
         let is_like = |second: &SurfaceSpec| second.keys() == self.surface.keys();
-        self.word == Some(SAME) && self.counterface.as_ref().is_some_and(is_like)
+        self.counterface_word == Some(SAME) && self.counterface.as_ref().is_some_and(is_like)
     }
 }
 

@@ -1,4 +1,5 @@
-//! The law of one asperity, averaged over curvatures, part by part.
+//! The asperities of a random surface, and the law of one averaged over their curvatures, part by
+//! part.
 
 use std::f64::consts::{PI, SQRT_2};
 use std::ops::Range;

@@ -96,9 +96,9 @@ impl Gas {
         0.5 * self.speed * self.speed
     }
 
-    /// The least D of the fit. Below, Q grows as ln(1/D) until molecules fly along the whole gap,
-    /// which no local law knows: it stays what it is here, as in a gap some 100 times as long as
-    /// high.
+    /// The least D of the fit, below which Q keeps its value here, that of a gap some 100 times as
+    /// long as high. Q would grow as ln(1/D) until molecules fly along the whole gap, which depends
+    /// on the length of the gap.
     pub const LEAST: f64 = 0.01;
 }
 

@@ -1,5 +1,6 @@
-//! The start of unloading: the stiffness of a solved contact while its pixels stay in contact,
-//! which small vibrations and ultrasound measure, and the surface that yielding has left.
+//! Stiffnesses of a solved contact: of first loading, and at the start of unloading, while its
+//! pixels stay in contact, which small vibrations and ultrasound measure; and the surface that
+//! yielding has left.
 
 use std::ops::ControlFlow;
 

@@ -142,6 +142,7 @@ impl MaterialRatio {
         "curve,material_ratio,height_m\n".to_owned() + &rows.map(row).collect::<String>()
     }
 
+    /// Sk, Spk, Svk, Smr1, Smr2, Vmp, Vmc, Vvc and Vvv, in the order of the table of their names:
     /// Sk \[m\], the height of the core by the line fitted to the secant of least slope over 40 %
     /// of the curve; Spk and Svk \[m\], reduced heights of the peaks above and the dales below it;
     /// Smr1 and Smr2, material ratios from 0 to 1 at its top and bottom; Vmp, Vmc, Vvc and Vvv

@@ -1,4 +1,4 @@
-//! The result of a fit.
+//! The result of a fit, and the order of several.
 
 use asperity_core::{Finding, Findings, Severity};
 use serde::Serialize;

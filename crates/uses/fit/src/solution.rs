@@ -1,4 +1,4 @@
-//! Values, intervals and residuals of a minimum.
+//! Values, intervals and residuals of a minimum, and what makes them doubtful.
 
 use asperity_core::{Code, ContactError, Finding, Findings, short};
 

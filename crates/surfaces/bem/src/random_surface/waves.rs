@@ -1,4 +1,4 @@
-//! The waves of a real map.
+//! The waves of a real map, and maps with other phases or another skewness made of them.
 
 use asperity_fft::Complex64;
 

@@ -1,4 +1,5 @@
-//! I(s) = ∫ q(w) g(d + w) dw, d = s σ_z, for each kind of heights g.
+//! I(s) = ∫ q(w) g(d + w) dw, d = s σ_z, for each kind of heights g, and the units of q and its
+//! onset.
 
 mod overlap;
 mod slope;
